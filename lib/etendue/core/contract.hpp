@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+
+// Every bound of this library assumes IEEE-754 arithmetic, operation by operation.
+#ifdef __FAST_MATH__
+#error "etendue: -ffast-math breaks the proved error bounds; build without it"
+#endif
+
+namespace etendue {
+
+/// Thrown when a caller breaks a documented precondition. Bad data from outside is a Result, never this.
+struct ContractViolation : std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+/// Refuses to go on unless `condition` holds; active in every build type.
+/// `rule` reads "function: the rule", as in "refract: direction is a unit vector".
+inline void require(bool condition, const char* rule) {
+  if (!condition) throw ContractViolation(rule);
+}
+
+}  // namespace etendue

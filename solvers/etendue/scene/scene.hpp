@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "etendue/geometry/box.hpp"
+#include "etendue/geometry/cylinder.hpp"
+#include "etendue/geometry/disc.hpp"
+#include "etendue/geometry/mesh.hpp"
+#include "etendue/geometry/plane.hpp"
+#include "etendue/geometry/polygon.hpp"
+#include "etendue/geometry/sphere.hpp"
+#include "etendue/geometry/triangle.hpp"
+
+namespace etendue {
+
+/// One value a colour channel: red, green, blue (linear, not display-encoded).
+using Rgb = Eigen::Array3d;
+
+/// The viewing system of IU.5.2, as read: directions need not be unit vectors, `up` need not be orthogonal to `gaze`.
+struct Camera {
+  Vec3 eye = Vec3::Zero();
+  Vec3 gaze = Vec3::UnitY();
+  Vec3 up = Vec3::UnitZ();
+  double horizontal_half_angle = 0.5;  ///< θ [rad], in (0, π/2); the vertical one follows from square pixels
+  int columns = 256;
+  int rows = 256;
+};
+
+/// Everything either solver wants to know of a surface. Coefficients are fractions in [0, 1].
+struct Material {
+  std::string name;
+  Rgb k_d = Rgb::Zero();            ///< diffuse reflection, per channel
+  Rgb k_a = Rgb::Zero();            ///< reflection of the ambient light; the reader sets it to k_d unless it is given
+  double k_s = 0;                   ///< local specular reflection (Phong), not coloured
+  double phong_exponent = 1;        ///< n
+  double k_r = 0;                   ///< global specular reflection
+  double k_t = 0;                   ///< global specular transmission
+  double eta = 1;                   ///< refractive index of the inside
+  Rgb rho = Rgb::Zero();            ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
+  Rgb emission = Rgb::Zero();       ///< E: radiant exitance of the emitter [W/m²]
+};
+
+/// Local lights of ray tracing. Area lights are surfaces with emission.
+struct PointLight {
+  Vec3 position;
+  Rgb intensity;
+};
+struct DirectionalLight {
+  Vec3 direction;  ///< unit vector from the scene towards the light
+  Rgb intensity;
+};
+using Light = std::variant<PointLight, DirectionalLight>;
+
+using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box, Mesh>;
+
+/// How a shape is divided for radiosity. A quadrilateral has elements[0] × elements[1] elements along its first and its
+/// second edge, of which patches[0] × patches[1] patches are groups; patches divide elements.
+struct Subdivision {
+  int elements[2] = {1, 1};
+  int patches[2] = {1, 1};
+};
+
+/// A shape in world coordinates (transforms are applied by the reader) and what it is made of.
+struct Object {
+  std::string name;
+  Shape shape;
+  std::size_t material = 0;  ///< index into Scene::materials
+  Subdivision subdivision;
+};
+
+struct Scene {
+  std::string name;
+  double metres_per_unit = 1;
+  Camera camera;
+  std::vector<Material> materials;
+  std::vector<Light> lights;
+  Rgb ambient = Rgb::Zero();     ///< I_a
+  Rgb background = Rgb::Zero();  ///< what a ray that leaves the scene sees
+  std::vector<Object> objects;
+};
+
+}  // namespace etendue
