@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "table.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <ostream>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/core/result.hpp"
+#include "etendue/core/version.hpp"
+#include "etendue/io/nearest.hpp"
+#include "render_command.hpp"
+#include "solve_command.hpp"
+#include "validate_command.hpp"
+
+namespace etendue::cli {
+
+namespace {
+
+constexpr int exit_code(ErrorCode code) {
+  return static_cast<int>(code);
+}
+
+void print_usage(std::ostream& out) {
+  out << "etendue: verified light transport\n\nUsage: etendue COMMAND [OPTIONS] …\n\nCommands:\n";
+  for (const auto& command : commands()) {
+    const std::string name = command.name;
+    out << "  " << name << std::string(std::max<std::size_t>(10, name.size() + 2) - name.size(), ' ') << command.summary
+        << '\n';
+  }
+  out << "\n  --help     print this and exit; after a command: its options\n"
+         "  --version  print the version and exit\n"
+         "\n"
+         "Exit codes: 0 done, 1 a check failed, 2 usage, 3 invalid input, 4 tolerance or convergence\n"
+         "not reached, 5 input/output, 6 stopped with what was done saved.\n"
+         "\n"
+         "Examples:\n"
+         "  etendue --version\n"
+         "  etendue render scenes/minimal/scene.json --output minimal.png\n";
+}
+
+int unknown(const std::string& word, std::ostream& err) {
+  std::vector<std::string> names{"--help", "--version"};
+  for (const auto& command : commands()) names.emplace_back(command.name);
+  const char* kind = word.rfind("-", 0) == 0 ? "option" : "command";
+  err << "etendue: unknown " << kind << " '" << word << "'" << did_you_mean(word, names) << "\nTry 'etendue --help'.\n";
+  return exit_code(ErrorCode::usage);
+}
+
+int dispatch(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  if (arguments.empty()) {
+    print_usage(err);
+    return exit_code(ErrorCode::usage);
+  }
+  const std::string& first = arguments.front();
+  if (first == "--version") {
+    out << "etendue " << version() << '\n';
+    return 0;
+  }
+  if (first == "--help" || first == "-h") {
+    print_usage(out);
+    return 0;
+  }
+  for (const auto& command : commands()) {
+    if (first == command.name) return command.run({arguments.begin() + 1, arguments.end()}, out, err);
+  }
+  return unknown(first, err);
+}
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table{
+      {"solve", "solve a scene by radiosity", solve},
+      {"render", "render a scene by ray tracing", render},
+      {"validate", "check every claim against its oracle", validate},
+  };
+  return table;
+}
+
+int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  int code = 0;
+  try {
+    code = dispatch(arguments, out, err);
+  } catch (const std::bad_alloc&) {
+    err << "etendue: out of memory\n";
+    code = exit_code(ErrorCode::input_output);
+  } catch (const ContractViolation& defect) {
+    err << "etendue: internal check failed (a defect of this program): " << defect.what() << '\n';
+    code = exit_code(ErrorCode::check_failed);
+  } catch (const std::exception& defect) {
+    err << "etendue: unexpected failure: " << defect.what() << '\n';
+    code = exit_code(ErrorCode::check_failed);
+  }
+  out.flush();
+  if (out) return code;
+  err << "etendue: cannot write to standard output: not all data got through\n";
+  return code == 0 ? exit_code(ErrorCode::input_output) : code;
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "etendue/core/result.hpp"
+#include "etendue/image/image.hpp"
+
+namespace etendue {
+
+/// Name and text of what a picture says about itself: version, scene hash, settings.
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes a picture, complete or not at all (write_atomically()).
+///
+///     .exr   linear, 32-bit float, ZIP-compressed; each value rounded to the nearest float; metadata as attributes
+///     .png   8-bit, sRGB-encoded: round(255 · srgb_encode(v)), v cut to [0, 1]; metadata as text chunks
+///
+/// Errors    usage: another extension. invalid_input: an empty image, a pixel that is NaN or infinite (named by column
+///           and row) or too large for float. input_output: "cannot write 'path': reason", also when the module that
+///           holds OpenImageIO (etendue_io) is missing.
+[[nodiscard]] Result<Done> write_image(const std::filesystem::path& path, const Image& image,
+                                       const ImageMetadata& metadata = {});
+
+/// Reads what write_image() wrote, or any other RGB (or grey, or RGBA without its alpha) .exr or .png; a PNG's values
+/// are decoded to linear. The content must be of the kind that the extension says.
+[[nodiscard]] Result<Image> read_image(const std::filesystem::path& path);
+
+/// The metadata of a picture: its text attributes, in the file's order.
+[[nodiscard]] Result<ImageMetadata> read_image_metadata(const std::filesystem::path& path);
+
+/// Refuses what write_image() would refuse by its name alone: to be asked before a long computation.
+[[nodiscard]] Result<Done> check_image_path(const std::filesystem::path& path);
+
+/// sRGB transfer function (IEC 61966-2-1): linear light in [0, 1] to display value in [0, 1], and back.
+[[nodiscard]] double srgb_encode(double linear);
+[[nodiscard]] double srgb_decode(double encoded);
+
+}  // namespace etendue

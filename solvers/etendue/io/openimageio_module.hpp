@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// The narrow door between the programs and the module libetendue_io.so, which alone links OpenImageIO: C types only, no
+// exception passes, the caller owns all memory.
+
+extern "C" {
+
+/// A picture in memory: `channels` samples a pixel, row by row from the top.
+struct EtendueSamples {
+  int columns;
+  int rows;
+  int channels;
+  const float* linear;         ///< for .exr; null otherwise
+  const unsigned char* bytes;  ///< for .png: sRGB-encoded; null otherwise
+};
+
+/// Called once with the size of a picture; returns where to put columns · rows · channels floats, or null to give up.
+using EtendueAllocate = float* (*)(void* context, int columns, int rows, int channels);
+/// Called for each text attribute.
+using EtendueAttribute = void (*)(void* context, const char* name, const char* text);
+
+struct EtendueImageModule {
+  int interface_version;  ///< kEtendueImageInterface, or the module belongs to another build
+  /// `metadata` holds 2 · `pairs` texts: name, text, name, text … On failure returns false, the reason in `reason`.
+  bool (*write)(const char* path, const char* format, const EtendueSamples* samples, const char* const* metadata,
+                int pairs, char* reason, int reason_size);
+  /// Opens with the reader of `format` ("openexr" or "png") and no other. Bytes come back as value/255, still encoded.
+  bool (*read)(const char* path, const char* format, void* context, EtendueAllocate allocate,
+               EtendueAttribute attribute, char* reason, int reason_size);
+};
+
+/// The one name that the module exports.
+const EtendueImageModule* etendue_image_module();
+}
+
+inline constexpr int kEtendueImageInterface = 1;
