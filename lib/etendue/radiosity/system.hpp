@@ -16,15 +16,26 @@ struct RadiositySystem {
 
 /// Radiosities B and how good they are.
 struct RadiositySolution {
-  Eigen::VectorXd radiosity;     ///< B [W/m²], n
-  double residual = 0;           ///< max_i |E_i + ρ_i Σ_j F_ij B_j − B_i| [W/m²]
-  double bound = 0;              ///< proved: max_i |B_i − exact B_i| ≤ bound [W/m²], rounding included
-  double backward_error = 0;     ///< relative; of the linear solve
+  Eigen::VectorXd radiosity;  ///< B [W/m²], n
+  double residual = 0;        ///< max_i |E_i + ρ_i Σ_j F_ij B_j − B_i| [W/m²]
+  double bound = 0;           ///< proved: max_i |B_i − exact B_i| ≤ bound [W/m²], rounding included
+  double backward_error = 0;  ///< componentwise, relative: upper bound for the solve with the rounded matrix of 6-9
 };
 
 enum class DirectSolver { gaussian_elimination, eigen_lu };
 
-/// Refuses shapes that do not fit, non-finite entries, F_ij < 0, ρ outside [0, 1), and rows with ρ_i Σ_j F_ij ≥ 1.
+/// The matrix I − diag(ρ) F, each entry rounded once or twice.                                     @eq IU.6-9
+[[nodiscard]] Eigen::MatrixXd radiosity_matrix(const RadiositySystem& system);
+
+/// The radiosities of one channel, and how far they can be from the exact solution of the system as given.
+///
+///     B_i = E_i + ρ_i Σ_j B_j F_ij                                                               @eq IU.6-7, IU.6-8
+///
+/// Returns   B, its residual and bound; Gaussian elimination gives the same bits from every compiler
+/// Accuracy  max |B − exact B| ≤ bound, proved (NOTES.md): certificate.hpp
+/// Errors    shapes that do not fit, no patch, non-finite entries, F_ij < 0, ρ outside [0, 1) (at ρ = 1 the sum of the
+///           interreflections diverges: E25), rows that cannot be shown to keep ρ_i Σ_j F_ij below 1; the message names
+///           the row and its values.
 [[nodiscard]] Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver);
 
 }  // namespace etendue

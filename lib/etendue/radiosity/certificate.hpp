@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "etendue/radiosity/system.hpp"
+
+namespace etendue {
+
+/// d_i = 1 − ρ_i Σ_j F_ij, rounded down: by how much row i of I − diag(ρ)F is diagonally dominant.  @eq IU.6-9
+///
+/// Returns   a lower bound on d_i, below it by at most γ_(2n+10) (1 + ρ_i Σ_j F_ij) (proved, NOTES.md §2); zero or
+///           less means that the row cannot be shown to be dominant
+[[nodiscard]] double dominance(const RadiositySystem& system, Eigen::Index row);
+
+struct ResidualBound {
+  double residual = 0;  ///< max_i |r_i|, as computed [W/m²]
+  double bound = 0;     ///< max_j |B_j − exact B_j| ≤ bound [W/m²]
+};
+
+/// How far any vector, however it was found, can be from the solution of B = E + diag(ρ) F B.       @eq IU.6-7
+///
+///     ‖B − exact B‖∞ ≤ max_i |r_i| / (1 − ρ_i Σ_j F_ij),   r = E + diag(ρ) F B − B
+///
+/// Domain    dominance() > 0 for every row (contract), F_ij ≥ 0, finite B
+/// Accuracy  proved, the rounding of r, of the denominator and of the quotient enclosed: NOTES.md §1 and §2
+[[nodiscard]] ResidualBound residual_bound(const RadiositySystem& system, const Eigen::VectorXd& radiosity);
+
+}  // namespace etendue

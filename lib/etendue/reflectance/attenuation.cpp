@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/reflectance/attenuation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "etendue/core/contract.hpp"
+
+namespace etendue {
+
+double linear_attenuation(double distance, double d0) {
+  require(std::isfinite(distance) && distance >= 0, "linear_attenuation: distance is finite and not negative");
+  require(std::isfinite(d0) && d0 >= 0, "linear_attenuation: d0 is finite and not negative");
+  return 1 / std::max(1.0, distance + d0);
+}
+
+double irradiance_of_power(double power, double distance) {
+  return irradiance_of_intensity(power / (4 * std::numbers::pi), distance);
+}
+
+double irradiance_of_intensity(double intensity, double distance) {
+  require(std::isfinite(intensity) && intensity >= 0, "irradiance: the source is finite and not negative");
+  require(std::isfinite(distance) && distance > 0, "irradiance: distance is finite and positive");
+  return intensity / (distance * distance);
+}
+
+}  // namespace etendue
