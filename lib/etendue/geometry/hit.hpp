@@ -7,11 +7,12 @@ namespace etendue {
 
 /// Where a ray meets a surface.
 struct Hit {
-  double t = 0;                  ///< parameter along the ray, in (t_min, t_max)
-  Vec3 point = Vec3::Zero();     ///< the meeting point, projected onto the surface
-  Vec3 normal = Vec3::UnitZ();   ///< geometric unit normal; points outward for closed shapes, never flipped to the ray
-  Vec2 uv = Vec2::Zero();        ///< surface coordinates; each shape says which
-  double point_error = 0;        ///< bound on |point − true meeting point|, in scene units
+  double t = 0;                 ///< parameter along the ray, in (t_min, t_max)
+  Vec3 point = Vec3::Zero();    ///< the meeting point, projected onto the surface
+  Vec3 normal = Vec3::UnitZ();  ///< geometric unit normal; points outward for closed shapes, never flipped to the ray
+  Vec2 uv = Vec2::Zero();       ///< surface coordinates; each shape says which
+  double point_error = 0;       ///< bound on |point − true meeting point|, in scene units; proved, NOTES.md §3
+  double surface_error = 0;     ///< bound on the distance from `point` to the surface, as its intersect() sees it
 };
 
 }  // namespace etendue

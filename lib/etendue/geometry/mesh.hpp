@@ -20,4 +20,6 @@ struct Mesh {
   }
 };
 
+[[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Mesh& mesh);
+
 }  // namespace etendue

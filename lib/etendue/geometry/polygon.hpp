@@ -10,6 +10,19 @@
 
 namespace etendue {
 
+/// How far a vertex may lie off a polygon's plane, as a share of the polygon's extent: 2^-40 ≈ 9·10⁻¹³. Coordinates
+/// written with 13 significant digits or more pass, single precision (2^-24) does not: form factors keep 12 digits of a
+/// flat polygon, and a polygon that is not flat is a mesh.
+inline constexpr double kPlanarity = 0x1p-40;
+
+/// The same as a share of the largest coordinate: what rounding the coordinates to double moves a vertex (√3 u), and
+/// the plane with it, with a factor of 4 to spare.
+inline constexpr double kCoordinateRounding = 0x1p-50;
+
+/// Least area as a share of extent × largest coordinate: a polygon that is narrower than the rounding of its own
+/// coordinates has no normal.
+inline constexpr double kNarrowest = 0x1p-50;
+
 /// A simple planar polygon, convex or concave. Vertices run counter-clockwise as seen from the front.
 class Polygon {
  public:

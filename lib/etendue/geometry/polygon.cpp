@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/geometry/polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "etendue/core/rounding.hpp"
+#include "etendue/geometry/jordan.hpp"
+#include "etendue/geometry/meeting.hpp"
+#include "etendue/geometry/newell.hpp"
+#include "etendue/geometry/predicates.hpp"
+
+namespace etendue {
+
+namespace {
+
+Error refusal(const std::string& what) {
+  return {ErrorCode::invalid_input, "polygon: " + what};
+}
+
+std::string text(const Vec3& v) {
+  std::ostringstream out;
+  out.precision(17);
+  out << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
+  return out.str();
+}
+
+std::string text(double value) {
+  std::ostringstream out;
+  out.precision(6);
+  out << value;
+  return out.str();
+}
+
+// Largest coordinate, and largest distance from vertex 0 in any coordinate.
+struct Extent {
+  double coordinate = 0, size = 0;
+};
+
+Extent extent_of(const std::vector<Vec3>& vertices) {
+  Extent extent;
+  for (const Vec3& v : vertices) {
+    extent.coordinate = std::max(extent.coordinate, v.lpNorm<Eigen::Infinity>());
+    extent.size = std::max(extent.size, (v - vertices[0]).lpNorm<Eigen::Infinity>());
+  }
+  return extent;
+}
+
+std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
+  const std::size_t n = vertices.size();
+  if (n < 3) return refusal("has " + std::to_string(n) + " vertices; at least 3 are needed");
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!vertices[i].allFinite()) {
+      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is not finite");
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n;
+    if (vertices[i] == vertices[j]) {
+      return refusal("vertices " + std::to_string(i) + " and " + std::to_string(j) + " coincide at " +
+                     text(vertices[i]));
+    }
+  }
+  return std::nullopt;
+}
+
+// Do the closed segments p-q and r-s have a point in common?
+bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
+  const int r_side = orientation(p, q, r), s_side = orientation(p, q, s);
+  const int p_side = orientation(r, s, p), q_side = orientation(r, s, q);
+  if (r_side * s_side > 0 || p_side * q_side > 0) return false;
+  if (r_side != 0 || s_side != 0 || p_side != 0 || q_side != 0) return true;
+  const auto apart = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
+  return !apart(p.x(), q.x(), r.x(), s.x()) && !apart(p.y(), q.y(), r.y(), s.y());
+}
+
+// Does the edge that arrives at `corner` from `before` turn back over itself towards `after`?
+bool folds_back(const Vec2& before, const Vec2& corner, const Vec2& after) {
+  if (orientation(before, corner, after) != 0) return false;
+  // Collinear: it folds back iff both neighbours lie on one side, which one coordinate that changes can tell.
+  const int axis = before.x() != corner.x() ? 0 : 1;
+  return (before[axis] > corner[axis]) == (after[axis] > corner[axis]);
+}
+
+std::optional<Error> bad_chain(const std::vector<Vec3>& vertices, int axis) {
+  const std::size_t n = vertices.size();
+  const auto corner = [&](std::size_t i) { return projected(vertices[i % n], axis); };
+  const auto edge = [&](std::size_t i) { return std::to_string(i) + "-" + std::to_string((i + 1) % n); };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (folds_back(corner(i), corner(i + 1), corner(i + 2))) {
+      return refusal("edges " + edge(i) + " and " + edge((i + 1) % n) + " fold back at vertex " +
+                     std::to_string((i + 1) % n) + " = " + text(vertices[(i + 1) % n]));
+    }
+    for (std::size_t j = i + 2; j < n && (j + 1) % n != i; ++j) {
+      if (segments_meet(corner(i), corner(i + 1), corner(j), corner(j + 1))) {
+        return refusal("edges " + edge(i) + " " + text(vertices[i]) + " to " + text(vertices[(i + 1) % n]) + " and " +
+                       edge(j) + " " + text(vertices[j]) + " to " + text(vertices[(j + 1) % n]) + " cross or touch");
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+// Σ_i a_i (v_0 + v_i + v_{i+1}) / 3 over the fan from vertex 0, a_i the signed areas.
+Vec3 area_centroid(const std::vector<Vec3>& vertices, const Vec3& normal) {
+  Vec3 moment = Vec3::Zero();
+  double weight = 0;
+  for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+    const Vec3 p = vertices[i] - vertices[0], q = vertices[i + 1] - vertices[0];
+    const double area = normal.dot(p.cross(q));
+    moment += area * (p + q);
+    weight += area;
+  }
+  return vertices[0] + moment / (3 * weight);
+}
+
+}  // namespace
+
+Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
+  if (auto error = bad_vertex(vertices)) return *error;
+  const Extent extent = extent_of(vertices);
+  const DoubleDouble3 sum = newell_sum(vertices);
+  const Vec3 twice_area(rounded(sum.x), rounded(sum.y), rounded(sum.z));
+  Polygon polygon;
+  polygon.area_ = twice_area.norm() / 2;
+  if (!std::isfinite(polygon.area_)) return refusal("its area overflows: coordinates reach " + text(extent.coordinate));
+  if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
+    return refusal("area " + text(polygon.area_) + " is zero: it is narrower than the rounding of its coordinates (" +
+                   text(extent.coordinate) + ")");
+  }
+  polygon.normal_ = twice_area.normalized();
+  polygon.centroid_ = area_centroid(vertices, polygon.normal_);
+  const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const double distance = std::abs(polygon.normal_.dot(vertices[i] - polygon.centroid_));
+    if (!(distance <= allowed)) {
+      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is " + text(distance) +
+                     " off the plane; " + text(allowed) + " is allowed (use triangles)");
+    }
+  }
+  if (auto error = bad_chain(vertices, dominant_axis(polygon.normal_))) return *error;
+  polygon.vertices_ = std::move(vertices);
+  return polygon;
+}
+
+std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
+  require_direction(ray);
+  const auto t = meet_plane(ray, polygon.normal(), polygon.centroid());
+  if (!t) return std::nullopt;
+  Hit hit = flat_hit(ray, *t, polygon.normal());
+  if (!encloses(polygon.vertices(), hit.point, dominant_axis(polygon.normal()))) return std::nullopt;
+  const Vec3 along = (polygon.vertices()[1] - polygon.vertices()[0]).normalized();
+  const Vec3 offset = hit.point - polygon.vertices()[0];
+  hit.uv = {along.dot(offset), polygon.normal().cross(along).dot(offset)};
+  return hit;
+}
+
+}  // namespace etendue

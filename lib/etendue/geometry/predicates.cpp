@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/geometry/predicates.hpp"
+
+#include <cmath>
+
+#include "etendue/core/rounding.hpp"
+#include "etendue/geometry/expansion.hpp"
+
+namespace etendue {
+
+namespace {
+
+// Each term of a sum of n products of differences passes at most n + 2 roundings; one more pays for the rounding of the
+// bound itself. NOTES.md §2.
+constexpr double kOrientationFilter = gamma_bound(5);
+constexpr double kSideFilter = gamma_bound(6);
+
+int sign(double value) {
+  return (value > 0) - (value < 0);
+}
+
+}  // namespace
+
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double left = (a.x() - c.x()) * (b.y() - c.y());
+  const double right = (a.y() - c.y()) * (b.x() - c.x());
+  const double value = left - right;
+  if (std::abs(value) > kOrientationFilter * (std::abs(left) + std::abs(right))) return sign(value);
+  const Expansion ax = exact_difference(a.x(), c.x()), ay = exact_difference(a.y(), c.y());
+  const Expansion bx = exact_difference(b.x(), c.x()), by = exact_difference(b.y(), c.y());
+  return (ax * by - ay * bx).sign();
+}
+
+int side(const Vec3& point, const Plane& plane) {
+  const double x = plane.normal.x() * (point.x() - plane.point.x());
+  const double y = plane.normal.y() * (point.y() - plane.point.y());
+  const double z = plane.normal.z() * (point.z() - plane.point.z());
+  const double value = x + y + z;
+  if (std::abs(value) > kSideFilter * (std::abs(x) + std::abs(y) + std::abs(z))) return sign(value);
+  const DoubleDouble3 d = exact_difference(point, plane.point);
+  return (Expansion(d.x) * plane.normal.x() + Expansion(d.y) * plane.normal.y() + Expansion(d.z) * plane.normal.z())
+      .sign();
+}
+
+}  // namespace etendue

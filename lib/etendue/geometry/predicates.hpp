@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "etendue/geometry/plane.hpp"
+#include "etendue/geometry/vector.hpp"
+
+namespace etendue {
+
+/// On which side of the line from `a` to `b` the point `c` lies: 1 left, −1 right, 0 on the line.
+///
+/// Accuracy  exact, proved: a filter in double, then expansions (NOTES.md §2)
+/// Domain    coordinate differences between 2^-200 and 2^200, or zero
+/// Source    Shewchuk 1997
+[[nodiscard]] int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// On which side of the plane `point` lies: 1 in front (where the normal points), −1 behind, 0 on it.
+/// The plane is the one its stored doubles describe.                                                @eq IU.5-12
+///
+/// Accuracy  exact, proved: a filter in double, then expansions (NOTES.md §2)
+/// Domain    as for orientation()
+[[nodiscard]] int side(const Vec3& point, const Plane& plane);
+
+}  // namespace etendue
