@@ -19,8 +19,8 @@ struct SceneFile {
 /// coordinates, lengths in the file's unit, angles in radians.
 ///
 /// Errors    input_output: the file cannot be read. invalid_input: one line for each error of the file,
-///           "scene.json:12:7: /materials/red/k_d: found -0.1, expected a number in [0, 1]", and their count; a syntax error
-///           ends the reading of its file, for what follows it cannot be trusted.
+///           "scene.json:12:7: /materials/red/k_d: found -0.1, expected a number in [0, 1]", and their count; a syntax
+///           error ends the reading of its file, for what follows it cannot be trusted.
 [[nodiscard]] Result<SceneFile> read_scene(const std::filesystem::path& path);
 
 }  // namespace etendue

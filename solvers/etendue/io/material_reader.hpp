@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "etendue/io/placement.hpp"
+
+namespace etendue {
+
+/// What is wrong is reported, and left at its default.
+[[nodiscard]] Material read_material(const SceneNode& node, const std::string& name);
+
+/// A light in world coordinates.
+[[nodiscard]] std::optional<Light> read_light(const SceneNode& node, const Placement& placement);
+
+}  // namespace etendue

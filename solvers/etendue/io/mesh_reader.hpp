@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "etendue/io/scene_node.hpp"
+
+namespace etendue {
+
+/// An array of points, `fewest` to `most` of them.
+[[nodiscard]] std::optional<std::vector<Vec3>> read_vertices(const SceneNode& node, std::size_t fewest,
+                                                             std::size_t most);
+
+/// Does the triangle span an area that double arithmetic can see?
+[[nodiscard]] bool has_area(const Triangle& triangle);
+
+/// The mesh of "vertices" with "triangles" and "quads" (each quad a b c d becomes a b c and a c d), in local
+/// coordinates.
+[[nodiscard]] std::optional<Mesh> read_mesh(const SceneNode& node);
+
+}  // namespace etendue

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/io/scene_assembly.hpp"
+
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "etendue/io/material_reader.hpp"
+#include "etendue/io/nearest.hpp"
+#include "etendue/io/shape_reader.hpp"
+#include "etendue/scene/camera_frame.hpp"
+
+namespace etendue {
+
+namespace {
+
+constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
+
+/// 2^28 pixels, what an image file may have (io/image_file.cpp); 65536 on one side.
+constexpr long kMostPixels = 1L << 28;
+constexpr long kLongestSide = 65536;
+
+/// Elements along one edge of a shape, and in all of it: beyond, form-factor matrices fit into no memory.
+constexpr long kMostElementsAlong = 4096;
+constexpr long kMostElements = 1L << 20;
+
+class Assembly {
+ public:
+  Assembly(const LoadedFiles& files, SceneErrors& errors) : files_(files), errors_(errors) {}
+
+  Scene build() {
+    for (const LoadedFile& file : files_.files) {
+      if (file.sound) read_materials(node_of(file));
+    }
+    for (const LoadedFile& file : files_.files) {
+      if (file.sound) read_contents(file);
+    }
+    return std::move(scene_);
+  }
+
+ private:
+  SceneNode node_of(const LoadedFile& file) const {
+    return SceneNode(file.document.root, file.index, file.name, errors_);
+  }
+
+  void read_materials(const SceneNode& top) {
+    const auto materials = top.member("materials");
+    if (!materials || !materials->is_object()) return;
+    for (const auto& [name, node] : materials->members()) {
+      if (!material_index_.emplace(name, scene_.materials.size()).second) {
+        node.complain("found a material of a name that an included file has taken, expected another name");
+        continue;
+      }
+      scene_.materials.push_back(read_material(node, name));
+    }
+  }
+
+  void read_contents(const LoadedFile& file) {
+    const SceneNode top = node_of(file);
+    const bool is_main = file.index == 0;
+    if (const auto node = top.member("name")) {
+      const auto name = node->text();
+      if (is_main && name) scene_.name = *name;
+    }
+    if (is_main) {
+      read_view(top, file);
+    } else {
+      for (const char* key : {"camera", "background", "ambient"}) {
+        if (const auto node = top.member(key))
+          node->complain("found this in an included file, expected it in the main file only");
+      }
+    }
+    // Lengths come out in the main file's unit.
+    const double main_unit = files_.files.back().metres_per_unit;
+    const Placement placement =
+        file.metres_per_unit == main_unit ? Placement{} : uniform_scale(file.metres_per_unit / main_unit);
+    if (const auto lights = top.member("lights")) read_lights(*lights, placement);
+    if (const auto objects = top.member("objects")) read_objects(*objects, placement, "");
+    if (is_main && scene_.objects.empty() && !top.member("objects") && files_.complete && errors_.count() == 0) {
+      top.complain("found no object in the scene, expected \"objects\" here or in an included file");
+    }
+  }
+
+  void read_view(const SceneNode& top, const LoadedFile& file) {
+    scene_.metres_per_unit = file.metres_per_unit;
+    if (const auto node = top.member("background"))
+      scene_.background = node->colour(kNonNegative).value_or(Rgb::Zero());
+    if (const auto node = top.member("ambient")) scene_.ambient = node->colour(kNonNegative).value_or(Rgb::Zero());
+    if (const auto node = top.member("camera")) {
+      read_camera(*node);
+    } else {
+      top.complain("found no key \"camera\", which is mandatory in the main file");
+    }
+  }
+
+  void read_camera(const SceneNode& node) {
+    if (!node.is(keys_of("camera"))) return;
+    const std::size_t errors_before = errors_.count();
+    Camera& camera = scene_.camera;
+    if (const auto eye = node.member("eye")) camera.eye = eye->vector().value_or(camera.eye);
+    if (const auto up = node.member("up")) camera.up = up->direction().value_or(camera.up);
+    if (const auto angle = node.member("horizontal_fov_deg")) {
+      const auto degrees = angle->number({0, 180, true, true});
+      if (degrees) camera.horizontal_half_angle = *degrees / 2 * std::numbers::pi / 180;
+    }
+    if (const auto resolution = node.member("resolution")) read_resolution(*resolution);
+    const auto look_at = node.member("look_at"), gaze = node.member("gaze");
+    if (look_at.has_value() == gaze.has_value()) {
+      node.complain("found " + std::string(gaze ? "both" : "neither") +
+                    " \"look_at\" and \"gaze\", expected one of them");
+      return;
+    }
+    if (gaze) camera.gaze = gaze->direction().value_or(camera.gaze);
+    if (look_at) {
+      const auto target = look_at->vector();
+      if (target && *target == camera.eye) look_at->complain("found the point of \"eye\", expected another point");
+      if (target) camera.gaze = *target - camera.eye;
+    }
+    if (errors_.count() > errors_before) return;
+    if (const auto frame = camera_frame(camera); !frame) node.complain(frame.error().message);
+  }
+
+  void read_resolution(const SceneNode& node) {
+    const auto sides = node.items(2, 2, "integers (columns, rows)");
+    if (!sides) return;
+    const auto columns = (*sides)[0].integer(1, kLongestSide), rows = (*sides)[1].integer(1, kLongestSide);
+    if (!columns || !rows) return;
+    if (*columns * *rows > kMostPixels) {
+      node.complain("found " + std::to_string(*columns) + " x " + std::to_string(*rows) + " pixels, expected at most " +
+                    std::to_string(kMostPixels));
+      return;
+    }
+    scene_.camera.columns = static_cast<int>(*columns);
+    scene_.camera.rows = static_cast<int>(*rows);
+  }
+
+  void read_lights(const SceneNode& lights, const Placement& placement) {
+    const auto nodes = lights.items(0, kAnyCount, "lights");
+    if (!nodes) return;
+    for (const SceneNode& node : *nodes) {
+      if (auto light = read_light(node, placement)) scene_.lights.push_back(*light);
+    }
+  }
+
+  void read_objects(const SceneNode& objects, const Placement& placement, const std::string& prefix) {
+    const auto nodes = objects.items(1, kAnyCount, "objects");
+    if (!nodes) return;
+    for (const SceneNode& node : *nodes) read_object(node, placement, prefix);
+  }
+
+  void read_object(const SceneNode& node, const Placement& outer, const std::string& prefix) {
+    if (!node.is_object()) return;
+    const auto type_node = node.member("type");
+    if (!type_node) {
+      node.complain("found no key \"type\", which is mandatory here");
+      return;
+    }
+    const auto type = type_node->choice(object_types());
+    if (!type || !node.is(keys_of(*type))) return;
+    const auto name_node = node.member("name");
+    const std::string name = prefix + (name_node ? name_node->text().value_or("") : node.pointer());
+    const auto transform = node.member("transform");
+    const Placement placement = transform ? compose(outer, read_transform(*transform)) : outer;
+    if (*type == "group") {
+      if (const auto children = node.member("children"))
+        read_objects(*children, placement, name_node ? name + "/" : prefix);
+      return;
+    }
+    const auto material = read_material_name(node);
+    const Subdivision subdivision = read_subdivision(node);
+    auto shape = read_shape(node, *type, placement);
+    if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision});
+  }
+
+  std::optional<std::size_t> read_material_name(const SceneNode& node) {
+    const auto member = node.member("material");
+    const auto name = member ? member->text() : std::nullopt;
+    if (!name) return std::nullopt;
+    const auto found = material_index_.find(*name);
+    if (found != material_index_.end()) return found->second;
+    if (!files_.complete) return std::nullopt;  // it may stand in the file that could not be read, which was reported
+    std::vector<std::string> known;
+    for (const auto& [material, index] : material_index_) known.push_back(material);
+    member->expected("a material of this scene" + did_you_mean(*name, known));
+    return std::nullopt;
+  }
+
+  /// Two counts, along the first and the second edge.
+  static std::optional<std::pair<int, int>> read_counts(const SceneNode& node) {
+    const auto counts = node.items(2, 2, "integers");
+    if (!counts) return std::nullopt;
+    const auto first = (*counts)[0].integer(1, kMostElementsAlong),
+               second = (*counts)[1].integer(1, kMostElementsAlong);
+    if (!first || !second) return std::nullopt;
+    return std::pair(static_cast<int>(*first), static_cast<int>(*second));
+  }
+
+  static Subdivision read_subdivision(const SceneNode& node) {
+    Subdivision subdivision;
+    const auto elements_node = node.member("elements"), patches_node = node.member("patches");
+    const auto elements = elements_node ? read_counts(*elements_node) : std::pair(1, 1);
+    const auto patches = patches_node ? read_counts(*patches_node) : std::pair(1, 1);
+    if (!elements || !patches) return subdivision;
+    if (static_cast<long>(elements->first) * elements->second > kMostElements) {
+      elements_node->complain("found more than " + std::to_string(kMostElements) + " elements, expected fewer");
+    }
+    if (elements->first % patches->first != 0 || elements->second % patches->second != 0) {
+      patches_node->complain("found [" + std::to_string(patches->first) + ", " + std::to_string(patches->second) +
+                             "], expected divisors of the elements [" + std::to_string(elements->first) + ", " +
+                             std::to_string(elements->second) + "]");
+    }
+    subdivision.elements[0] = elements->first;
+    subdivision.elements[1] = elements->second;
+    subdivision.patches[0] = patches->first;
+    subdivision.patches[1] = patches->second;
+    return subdivision;
+  }
+
+  const LoadedFiles& files_;
+  SceneErrors& errors_;
+  Scene scene_;
+  std::map<std::string, std::size_t> material_index_;
+};
+
+}  // namespace
+
+Scene assemble_scene(const LoadedFiles& files, SceneErrors& errors) {
+  return Assembly(files, errors).build();
+}
+
+}  // namespace etendue

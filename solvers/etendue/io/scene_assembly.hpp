@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "etendue/io/scene_files.hpp"
+#include "etendue/io/scene_node.hpp"
+
+namespace etendue {
+
+/// The contents of the files as one scene. Everything wrong is reported; the scene is to be used only if nothing was.
+[[nodiscard]] Scene assemble_scene(const LoadedFiles& files, SceneErrors& errors);
+
+}  // namespace etendue

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/io/scene_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "etendue/io/atomic_file.hpp"
+
+namespace etendue {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 64-bit FNV-1a: tells versions of a scene apart; no protection against forgery is meant.
+class Fingerprint {
+ public:
+  void add(std::string_view bytes) {
+    for (const char byte : bytes) mix(static_cast<unsigned char>(byte));
+    // The length too: moving text from one file to the next changes the fingerprint.
+    for (int shift = 0; shift < 64; shift += 8) mix((static_cast<std::uint64_t>(bytes.size()) >> shift) & 0xFF);
+  }
+  std::string hex() const {
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(state_ >> shift) & 0xF];
+    return text;
+  }
+
+ private:
+  void mix(std::uint64_t byte) { state_ = (state_ ^ byte) * 0x100000001b3u; }
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+struct Unit {
+  const char* name;
+  double metres;
+};
+/// International yard and pound agreement, 1959, for the foot and the inch.
+constexpr std::array<Unit, 7> kUnits{
+    {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}, {"km", 1000}, {"ft", 0.3048}, {"in", 0.0254}}};
+
+std::vector<std::string> unit_names() {
+  std::vector<std::string> names;
+  for (const Unit& unit : kUnits) names.emplace_back(unit.name);
+  return names;
+}
+
+/// The same file under whatever name.
+fs::path identity(const fs::path& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path.lexically_normal() : canonical;
+}
+
+class Loader {
+ public:
+  explicit Loader(SceneErrors& errors) : errors_(errors) {}
+
+  LoadedFiles finish() {
+    loaded_.hash = fingerprint_.hex();
+    return std::move(loaded_);
+  }
+
+  /// The file, and before it what it includes. Fails only when this very file cannot be read.
+  Result<Done> load(const fs::path& path) {
+    auto bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    fingerprint_.add(*bytes);
+    known_.push_back(identity(path));
+    open_.push_back(identity(path));
+
+    LoadedFile file;
+    file.index = count_++;
+    file.name = path.string();
+    file.document = parse_json(*bytes);
+    for (const JsonProblem& problem : file.document.problems) errors_.add(file.index, file.name, problem);
+    if (file.document.complete) {
+      const SceneNode top(file.document.root, file.index, file.name, errors_);
+      file.sound = read_outline(top, path, file);
+    } else {
+      loaded_.complete = false;
+    }
+    open_.pop_back();
+    loaded_.files.push_back(std::move(file));
+    return Done{};
+  }
+
+ private:
+  bool read_outline(const SceneNode& top, const fs::path& path, LoadedFile& file) {
+    if (!top.is(keys_of("scene"))) return false;
+    if (const auto format = top.member("format")) (void)format->choice({"etendue-scene"});  // reported there
+    if (const auto version = top.member("version")) (void)version->integer(1, 1);
+    if (const auto node = top.member("unit")) {
+      const auto name = node->choice(unit_names());
+      const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return name == u.name; });
+      if (unit != kUnits.end()) file.metres_per_unit = unit->metres;
+    }
+    if (const auto include = top.member("include")) read_includes(*include, path);
+    return true;
+  }
+
+  void read_includes(const SceneNode& include, const fs::path& path) {
+    const auto nodes = include.items(1, std::numeric_limits<std::size_t>::max(), "file names");
+    if (!nodes) return;
+    for (const SceneNode& node : *nodes) {
+      const auto name = node.text();
+      if (!name) continue;
+      const fs::path file = (path.parent_path() / *name).lexically_normal();
+      if (std::find(open_.begin(), open_.end(), identity(file)) != open_.end()) {
+        node.complain("found '" + file.string() + "', which is being read already, expected includes without a cycle");
+        continue;
+      }
+      if (std::find(known_.begin(), known_.end(), identity(file)) != known_.end()) continue;  // read once
+      if (open_.size() >= kDeepestInclude) {
+        node.complain("found includes nested deeper than " + std::to_string(kDeepestInclude) + ", expected less");
+        continue;
+      }
+      if (const auto done = load(file); !done) {
+        node.expected("a readable file: " + done.error().message);
+        loaded_.complete = false;
+      }
+    }
+  }
+
+  static constexpr std::size_t kDeepestInclude = 32;
+
+  SceneErrors& errors_;
+  LoadedFiles loaded_;
+  Fingerprint fingerprint_;
+  std::size_t count_ = 0;
+  std::vector<fs::path> known_;  ///< all files so far
+  std::vector<fs::path> open_;   ///< those whose includes are being read
+};
+
+}  // namespace
+
+Result<LoadedFiles> load_scene_files(const fs::path& path, SceneErrors& errors) {
+  Loader loader(errors);
+  if (auto done = loader.load(path); !done) return done.error();
+  return loader.finish();
+}
+
+}  // namespace etendue

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/io/scene_keys.hpp"
+
+#include <algorithm>
+
+#include "etendue/core/contract.hpp"
+
+namespace etendue {
+
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// A shape: what every shape has, and its own keys.
+KeySet shape(const char* type, const Keys& mandatory, const Keys& optional = {}) {
+  KeySet set{type, {"type", "material"}, {"comment", "name", "transform", "elements", "patches"}};
+  set.mandatory.insert(set.mandatory.end(), mandatory.begin(), mandatory.end());
+  set.optional.insert(set.optional.end(), optional.begin(), optional.end());
+  return set;
+}
+
+}  // namespace
+
+Keys KeySet::all() const {
+  Keys keys = mandatory;
+  keys.insert(keys.end(), optional.begin(), optional.end());
+  return keys;
+}
+
+const std::vector<KeySet>& scene_key_sets() {
+  static const std::vector<KeySet> sets{
+      {"scene",
+       {"format", "version", "unit"},
+       {"$schema", "comment", "name", "include", "camera", "background", "ambient", "materials", "lights", "objects"}},
+      {"camera", {"eye", "up", "horizontal_fov_deg", "resolution"}, {"comment", "look_at", "gaze"}},
+      {"material", {}, {"comment", "k_d", "k_a", "k_s", "n", "k_r", "k_t", "eta", "rho", "emission"}},
+      {"point_light", {"type", "position", "intensity"}, {"comment"}},
+      {"directional_light", {"type", "direction", "intensity"}, {"comment"}},
+      shape("sphere", {"centre", "radius"}),
+      shape("polygon", {"vertices"}),
+      shape("triangle", {"vertices"}),
+      shape("plane", {"point", "normal"}),
+      shape("disc", {"centre", "normal", "radius"}),
+      shape("cylinder", {"base", "top", "radius"}),
+      shape("box", {}, {"low", "high", "centre", "size"}),
+      shape("mesh", {"vertices"}, {"triangles", "quads"}),
+      {"group", {"type", "children"}, {"comment", "name", "transform"}},
+      {"translate", {"translate"}, {"comment"}},
+      {"rotate", {"rotate"}, {"comment"}},
+      {"rotation", {"axis", "angle_deg"}, {"comment"}},
+      {"scale", {"scale"}, {"comment"}},
+  };
+  return sets;
+}
+
+const KeySet& keys_of(const std::string& name) {
+  const auto& sets = scene_key_sets();
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const KeySet& set) { return set.name == name; });
+  require(found != sets.end(), "keys_of: the kind of object exists");
+  return *found;
+}
+
+const Keys& object_types() {
+  static const Keys types{"sphere", "polygon", "triangle", "plane", "disc", "cylinder", "box", "mesh", "group"};
+  return types;
+}
+
+const Keys& light_types() {
+  static const Keys types{"point", "directional"};
+  return types;
+}
+
+}  // namespace etendue

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace etendue {
+
+/// The keys of one kind of object in a scene file. scenes/scene.schema.json has a definition of the same name, and a
+/// test holds the two together.
+struct KeySet {
+  std::string name;
+  std::vector<std::string> mandatory;
+  std::vector<std::string> optional;
+
+  std::vector<std::string> all() const;
+};
+
+/// Every kind there is; the only list of keys in the program.
+const std::vector<KeySet>& scene_key_sets();
+
+/// The kind of that name; the name must exist.
+const KeySet& keys_of(const std::string& name);
+
+/// The values of "type" of objects and of lights.
+const std::vector<std::string>& object_types();
+const std::vector<std::string>& light_types();
+
+}  // namespace etendue

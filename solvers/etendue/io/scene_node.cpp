@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/io/scene_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+#include "etendue/io/nearest.hpp"
+#include "etendue/io/utf8.hpp"
+
+namespace etendue {
+
+namespace {
+
+std::string shortest(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + ("\"" + words[i] + "\"");
+  }
+  return text;
+}
+
+}  // namespace
+
+void SceneErrors::add(std::size_t file, const std::string& name, const JsonProblem& problem) {
+  constexpr std::size_t kLongestPointer = 200;
+  const std::string place = std::to_string(problem.place.line) + ":" + std::to_string(problem.place.column);
+  const std::string pointer = problem.pointer.empty() ? "" : shortened(problem.pointer, kLongestPointer) + ": ";
+  entries_.push_back({file, problem.place, name + ":" + place + ": " + pointer + problem.message});
+}
+
+std::string SceneErrors::text() const {
+  std::vector<Entry> sorted = entries_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.file, a.place.line, a.place.column) < std::tie(b.file, b.place.line, b.place.column);
+  });
+  std::string text;
+  for (const Entry& entry : sorted) text += entry.line + "\n";
+  return text + std::to_string(sorted.size()) + (sorted.size() == 1 ? " error" : " errors");
+}
+
+bool Interval::contains(double value) const {
+  return (open_low ? value > low : value >= low) && (open_high ? value < high : value <= high);
+}
+
+std::string Interval::text() const {
+  return (open_low ? "(" : "[") + shortest(low) + ", " + shortest(high) + (open_high ? ")" : "]");
+}
+
+SceneNode SceneNode::at(const JsonValue& json, std::string pointer) const {
+  SceneNode node(json, file_, *name_, *errors_);
+  node.pointer_ = std::move(pointer);
+  return node;
+}
+
+void SceneNode::complain(const std::string& message) const {
+  errors_->add(file_, *name_, {json_->place, pointer_, message});
+}
+
+void SceneNode::expected(const std::string& what) const {
+  complain("found " + describe(*json_) + ", expected " + what);
+}
+
+bool SceneNode::is_object() const {
+  if (json_->kind == JsonValue::Kind::object) return true;
+  expected("an object");
+  return false;
+}
+
+bool SceneNode::is(const KeySet& keys) const {
+  if (!is_object()) return false;
+  const std::vector<std::string> known = keys.all();
+  std::vector<std::string> misspelt;  // a key that was meant is not reported again as missing
+  for (const JsonMember& member : json_->members) {
+    if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
+    const auto guess = nearest(member.key, known);
+    if (guess) misspelt.push_back(*guess);
+    const std::string expected = guess ? "a known one; did you mean '" + *guess + "'?" : "one of " + quoted(known);
+    errors_->add(file_, *name_,
+                 {member.place, pointer_to(pointer_, member.key), "found an unknown key, expected " + expected});
+  }
+  for (const std::string& key : keys.mandatory) {
+    if (json_->find(key) || std::find(misspelt.begin(), misspelt.end(), key) != misspelt.end()) continue;
+    complain("found no key \"" + key + "\", which is mandatory here");
+  }
+  return true;
+}
+
+std::optional<SceneNode> SceneNode::member(const std::string& key) const {
+  const JsonMember* found = json_->find(key);
+  if (!found) return std::nullopt;
+  return at(found->value, pointer_to(pointer_, key));
+}
+
+std::vector<std::pair<std::string, SceneNode>> SceneNode::members() const {
+  std::vector<std::pair<std::string, SceneNode>> all;
+  for (const JsonMember& member : json_->members) {
+    all.emplace_back(member.key, at(member.value, pointer_to(pointer_, member.key)));
+  }
+  return all;
+}
+
+std::optional<std::vector<SceneNode>> SceneNode::items(std::size_t fewest, std::size_t most,
+                                                       const std::string& what) const {
+  const std::size_t count = json_->items.size();
+  if (json_->kind != JsonValue::Kind::array || count < fewest || count > most) {
+    const std::string number = fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " or more";
+    expected("an array of " + number + " " + what);
+    return std::nullopt;
+  }
+  std::vector<SceneNode> nodes;
+  nodes.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) nodes.push_back(at(json_->items[i], pointer_to(pointer_, i)));
+  return nodes;
+}
+
+std::optional<double> SceneNode::number(const Interval& interval) const {
+  const bool is_number = json_->kind == JsonValue::Kind::number;
+  if (is_number && interval.contains(json_->number)) return json_->number;
+  expected("a number in " + interval.text() +
+           (is_number && std::isnan(json_->number) ? " that a double can hold" : ""));
+  return std::nullopt;
+}
+
+std::optional<long> SceneNode::integer(long low, long high) const {
+  const double value = json_->number;
+  if (json_->kind == JsonValue::Kind::number && std::floor(value) == value && value >= static_cast<double>(low) &&
+      value <= static_cast<double>(high)) {
+    return static_cast<long>(value);
+  }
+  expected(low == high ? std::to_string(low)
+                       : "an integer in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
+  return std::nullopt;
+}
+
+std::optional<std::string> SceneNode::text() const {
+  if (json_->kind == JsonValue::Kind::string) return json_->text;
+  expected("a text in quotes");
+  return std::nullopt;
+}
+
+std::optional<std::string> SceneNode::choice(const std::vector<std::string>& words) const {
+  const bool is_text = json_->kind == JsonValue::Kind::string;
+  if (is_text && std::find(words.begin(), words.end(), json_->text) != words.end()) return json_->text;
+  expected((words.size() == 1 ? "" : "one of ") + quoted(words) + (is_text ? did_you_mean(json_->text, words) : ""));
+  return std::nullopt;
+}
+
+std::optional<Vec3> SceneNode::vector(const Interval& interval) const {
+  const auto parts = items(3, 3, "numbers");
+  if (!parts) return std::nullopt;
+  Vec3 value = Vec3::Zero();
+  bool complete = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto part = (*parts)[i].number(interval);
+    complete = complete && part.has_value();
+    value[static_cast<Eigen::Index>(i)] = part.value_or(0);
+  }
+  return complete ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Vec3> SceneNode::direction() const {
+  const auto value = vector();
+  if (!value) return std::nullopt;
+  if (value->isZero(0)) {
+    complain("found [0, 0, 0], expected a direction");
+    return std::nullopt;
+  }
+  return value->stableNormalized();
+}
+
+std::optional<Rgb> SceneNode::colour(const Interval& interval) const {
+  if (json_->kind == JsonValue::Kind::number) {
+    const auto value = number(interval);
+    return value ? std::optional<Rgb>(Rgb::Constant(*value)) : std::nullopt;
+  }
+  if (json_->kind != JsonValue::Kind::array || json_->items.size() != 3) {
+    expected("a number in " + interval.text() + ", or an array of 3 of them (red, green, blue)");
+    return std::nullopt;
+  }
+  const auto value = vector(interval);
+  return value ? std::optional<Rgb>(value->array()) : std::nullopt;
+}
+
+}  // namespace etendue

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "etendue/io/json_tree.hpp"
+#include "etendue/io/scene_keys.hpp"
+#include "etendue/scene/scene.hpp"
+
+namespace etendue {
+
+/// No number of a scene file is larger: fourth powers of lengths, as in a quadratic's discriminant, stay finite.
+inline constexpr double kLargestNumber = 1e50;
+
+/// What is wrong with the files of one scene, in the order of the files, then of the places.
+class SceneErrors {
+ public:
+  /// `file` counts in reading order; `name` is how messages call it.
+  void add(std::size_t file, const std::string& name, const JsonProblem& problem);
+  std::size_t count() const { return entries_.size(); }
+  /// One line each, and a last line with their number.
+  std::string text() const;
+
+ private:
+  struct Entry {
+    std::size_t file;
+    Place place;
+    std::string line;
+  };
+  std::vector<Entry> entries_;
+};
+
+/// The numbers that a key allows; ends belong to it unless open.
+struct Interval {
+  double low;
+  double high;
+  bool open_low = false;
+  bool open_high = false;
+
+  bool contains(double value) const;
+  std::string text() const;  ///< "[0, 1)"
+};
+inline constexpr Interval kFraction{0, 1};
+inline constexpr Interval kNonNegative{0, kLargestNumber};
+inline constexpr Interval kPositive{0, kLargestNumber, true};
+inline constexpr Interval kAnyNumber{-kLargestNumber, kLargestNumber};
+
+/// A value in a scene file, with its place. Each reading function either returns what it was asked for, or reports what
+/// was found and what is expected, and returns nothing.
+class SceneNode {
+ public:
+  SceneNode(const JsonValue& json, std::size_t file, const std::string& name, SceneErrors& errors)
+      : json_(&json), file_(file), name_(&name), errors_(&errors) {}
+
+  const JsonValue& json() const { return *json_; }
+  const std::string& pointer() const { return pointer_; }
+
+  /// Reports "found <this value>, expected …" here.
+  void expected(const std::string& what) const;
+  /// Reports any other sentence here.
+  void complain(const std::string& message) const;
+
+  /// Is this an object whose keys are all known and which lacks none? Reports each that is not so.
+  /// The answer is true as long as it is an object: what can be read should be, to find further errors.
+  [[nodiscard]] bool is(const KeySet& keys) const;
+  [[nodiscard]] bool is_object() const;
+  [[nodiscard]] std::optional<SceneNode> member(const std::string& key) const;
+  /// Of an object: its values in order, with their keys.
+  [[nodiscard]] std::vector<std::pair<std::string, SceneNode>> members() const;
+
+  /// Items of an array that has `fewest` to `most` of `what` ("vertices").
+  [[nodiscard]] std::optional<std::vector<SceneNode>> items(std::size_t fewest, std::size_t most,
+                                                            const std::string& what) const;
+  [[nodiscard]] std::optional<double> number(const Interval& interval) const;
+  [[nodiscard]] std::optional<long> integer(long low, long high) const;
+  [[nodiscard]] std::optional<std::string> text() const;
+  /// One of these words; the nearest is suggested.
+  [[nodiscard]] std::optional<std::string> choice(const std::vector<std::string>& words) const;
+  [[nodiscard]] std::optional<Vec3> vector(const Interval& interval = kAnyNumber) const;
+  [[nodiscard]] std::optional<Vec3> direction() const;                      ///< unit vector of a vector other than zero
+  [[nodiscard]] std::optional<Rgb> colour(const Interval& interval) const;  ///< one number, or three
+
+ private:
+  SceneNode at(const JsonValue& json, std::string pointer) const;
+
+  const JsonValue* json_;
+  std::size_t file_;
+  const std::string* name_;
+  SceneErrors* errors_;
+  std::string pointer_;
+};
+
+}  // namespace etendue

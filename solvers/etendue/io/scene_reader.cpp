@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/io/scene_reader.hpp"
+
+#include "etendue/io/scene_assembly.hpp"
+#include "etendue/io/scene_files.hpp"
+
+namespace etendue {
+
+Result<SceneFile> read_scene(const std::filesystem::path& path) {
+  SceneErrors errors;
+  auto files = load_scene_files(path, errors);
+  if (!files) return files.error();
+  SceneFile result;
+  result.hash = files->hash;
+  result.scene = assemble_scene(*files, errors);
+  if (errors.count() > 0) return Error{ErrorCode::invalid_input, errors.text()};
+  return result;
+}
+
+}  // namespace etendue
