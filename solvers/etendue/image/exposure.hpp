@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "etendue/image/image.hpp"
+
+namespace etendue {
+
+/// The picture with every value multiplied by `factor`: what a longer or shorter exposure shows. With
+/// factor = 1 / brightness(image).largest nothing overflows and all ratios are kept.                @eq IU.2.8
+[[nodiscard]] Image exposed(const Image& image, double factor);
+
+/// How bright a picture is, against the largest value that a display shows, 1.
+struct Brightness {
+  double largest = 0;        ///< largest channel of any pixel; 0 for an empty picture
+  std::size_t overflow = 0;  ///< pixels with a channel above 1
+};
+[[nodiscard]] Brightness brightness(const Image& image);
+
+}  // namespace etendue

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/raytracing/shade.hpp"
+
+#include <limits>
+
+#include "etendue/geometry/spawn.hpp"
+#include "etendue/reflectance/local.hpp"
+
+namespace etendue {
+
+namespace {
+
+const Rgb& intensity(const Light& light) {
+  return std::visit([](const auto& each) -> const Rgb& { return each.intensity; }, light);
+}
+
+}  // namespace
+
+LightSample towards(const Light& light, const Vec3& point) {
+  if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
+    return {directional->direction, std::numeric_limits<double>::infinity()};
+  }
+  const Vec3 way = std::get<PointLight>(light).position - point;
+  return {way.stableNormalized(), way.stableNorm()};
+}
+
+Ray shadow_ray(const Hit& hit, const Light& light) {
+  Ray ray;
+  ray.origin = offset_origin(hit, towards(light, hit.point).to_light);
+  const LightSample sample = towards(light, ray.origin);
+  ray.direction = sample.to_light;
+  ray.t_max = sample.distance;
+  return ray;
+}
+
+Shaded local_illumination(const SceneHit& met, const Vec3& direction, const Accelerator& accelerator) {
+  const Scene& scene = accelerator.scene();
+  const Material& material = scene.materials[scene.objects[met.object].material];
+  const Vec3 to_viewer = -direction;
+  const Vec3 normal = met.hit.normal.dot(to_viewer) < 0 ? Vec3(-met.hit.normal) : met.hit.normal;
+
+  Shaded result;
+  std::vector<IncidentLight> arriving;
+  const bool returns_light = (material.k_d != 0).any() || material.k_s != 0;
+  for (const Light& light : scene.lights) {
+    const LightSample sample = towards(light, met.hit.point);
+    if (!returns_light || !(normal.dot(sample.to_light) > 0)) continue;
+    ++result.shadow_rays;
+    const Obstruction obstruction = accelerator.obstruction(shadow_ray(met.hit, light));
+    result.tests += obstruction.tests;
+    if (!obstruction.blocked) arriving.push_back({sample.to_light, intensity(light), 1});
+  }
+  const LocalReflection surface{material.k_a, material.k_d, material.k_s, material.phong_exponent};
+  result.colour = local_reflection(surface, normal, to_viewer, scene.ambient, arriving) + material.emission;
+  return result;
+}
+
+Shaded shade(const RayTree& tree, const Accelerator& accelerator) {
+  Shaded total;
+  std::vector<Rgb> colour(tree.nodes.size(), Rgb::Zero());
+  // Children come after their parents, so from the back every ray's own sum is complete when it is passed on.
+  for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+    const RayNode& node = tree.nodes[i];
+    if (node.end == RayEnd::left_scene) colour[i] = accelerator.scene().background;
+    if (node.end == RayEnd::surface) {
+      const Shaded local = local_illumination(*node.hit, node.ray.direction, accelerator);
+      colour[i] += local.colour;
+      total.shadow_rays += local.shadow_rays;
+      total.tests += local.tests;
+    }
+    if (node.parent != RayNode::kNone) colour[node.parent] += node.coefficient * colour[i];
+  }
+  total.colour = colour[0];
+  return total;
+}
+
+}  // namespace etendue

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "etendue/raytracing/ray_tree.hpp"
+
+namespace etendue {
+
+/// The unit vector from a point towards a light, and how far it is.
+struct LightSample {
+  Vec3 to_light;    ///< L
+  double distance;  ///< infinity for a directional light
+};
+[[nodiscard]] LightSample towards(const Light& light, const Vec3& point);
+
+/// The shadow ray of a hit and a light.                                                     @eq IU.5.4a, IU.5.4b, RT.14
+///
+/// It begins outside the error bound of the hit (no tolerance on t, no excluded surface) and runs towards the light:
+/// for a directional light that travels along l, this is RT(M, −l, 0, ∞), and what it finds are blockers (erratum R7).
+/// It ends at a point light, so only a hit nearer than the light blocks.
+[[nodiscard]] Ray shadow_ray(const Hit& hit, const Light& light);
+
+/// What one eye ray sees.
+struct Shaded {
+  Rgb colour = Rgb::Zero();
+  std::uint64_t shadow_rays = 0;
+  TestCount tests;  ///< of the shadow rays
+};
+
+/// Local part of equation 5-2 at one hit: emission, and local_reflection() of the lights that reach it.
+///
+///     I = E + k_a I_a + Σ_i I_p,i [ k_d max(0, N·L_i) + k_s max(0, R_i·V)ⁿ ]
+///
+/// Symbols   N the geometric normal on the viewer's side; V = −direction; L_i towards light i; I_pi its intensity;
+///           the sum is over the lights that are not blocked and stand before the surface. E, the material's emission,
+///           counts as an intensity.
+/// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
+[[nodiscard]] Shaded local_illumination(const SceneHit& hit, const Vec3& direction, const Accelerator& accelerator);
+
+/// Intensity that comes back along the tree's first ray.                                      @eq IU.5-2
+///
+///     I = I_local + k_r I_r + k_t I_t    for each ray that met a surface, from the leaves to the root
+///
+/// A ray that left the scene brings the background, one that was not followed brings nothing.
+[[nodiscard]] Shaded shade(const RayTree& tree, const Accelerator& accelerator);
+
+}  // namespace etendue
