@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/form_factor/gauss_legendre.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "etendue/core/contract.hpp"
+
+namespace etendue {
+
+namespace {
+
+constexpr std::size_t first_of(int n) {
+  return static_cast<std::size_t>(n * (n - 1) / 2);
+}
+
+using Rules = std::array<QuadratureNode, first_of(kMaxGaussNodes + 1)>;
+
+struct Legendre {
+  long double value;
+  long double derivative;
+};
+
+Legendre legendre(int n, long double x) {
+  long double previous = 1, value = x;
+  for (int k = 2; k <= n; ++k) {
+    const long double next = ((2 * k - 1) * x * value - (k - 1) * previous) / k;
+    previous = value;
+    value = next;
+  }
+  return {value, n * (x * value - previous) / (x * x - 1)};
+}
+
+// Newton's method from Tricomi's estimate: quadratic, so eight steps are more than enough in extended precision.
+Rules compute_rules() {
+  constexpr long double kPi = 3.14159265358979323846264338327950288L;
+  constexpr int kNewtonSteps = 8;
+  Rules rules{};
+  rules[0] = {0, 2};
+  for (int n = 2; n <= kMaxGaussNodes; ++n) {
+    for (int i = 0; i < n; ++i) {
+      long double x = -std::cos(kPi * (i + 0.75L) / (n + 0.5L));
+      for (int step = 0; step < kNewtonSteps; ++step) {
+        const Legendre p = legendre(n, x);
+        x -= p.value / p.derivative;
+      }
+      if (2 * i + 1 == n) x = 0;
+      const long double slope = legendre(n, x).derivative;
+      rules[first_of(n) + static_cast<std::size_t>(i)] = {static_cast<double>(x),
+                                                          static_cast<double>(2 / ((1 - x * x) * slope * slope))};
+    }
+  }
+  return rules;
+}
+
+double geometric(int n, double rho) {
+  const double decay = 1 / (rho * rho);
+  return std::pow(decay, n) / (1 - decay);
+}
+
+}  // namespace
+
+std::span<const QuadratureNode> gauss_legendre(int n) {
+  require(n >= 1 && n <= kMaxGaussNodes, "gauss_legendre: 1 <= n <= kMaxGaussNodes");
+  static const Rules rules = compute_rules();
+  return {rules.data() + first_of(n), static_cast<std::size_t>(n)};
+}
+
+double logarithmic_truncation(int n, double rho) {
+  return 32.0 / 15 / n * geometric(n, rho);
+}
+
+double analytic_truncation(int n, double rho) {
+  return 64.0 / 15 * geometric(n, rho);
+}
+
+}  // namespace etendue
