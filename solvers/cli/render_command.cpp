@@ -1,18 +1,256 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_command.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "etendue/core/result.hpp"
+#include "etendue/core/version.hpp"
+#include "etendue/image/exposure.hpp"
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/io/image_file.hpp"
+#include "etendue/io/scene_reader.hpp"
+#include "etendue/raytracing/camera_rays.hpp"
+#include "etendue/raytracing/render.hpp"
 #include "options.hpp"
+#include "progress.hpp"
 
 namespace etendue::cli {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
+constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
+constexpr double kMostExposure = 1e6;
+
+struct Request {
+  CommonOptions common;
+  fs::path scene;
+  RenderOptions render;
+  std::string accelerator = "bvh";
+  double exposure = 1;
+  std::string pixel;  ///< of --ray-tree, as typed
+};
+
+/// The picture's file name without its extension: as --output says, or that of the scene or of its folder.
+fs::path stem(const Request& request) {
+  if (!request.common.output.empty()) return fs::path(request.common.output).replace_extension();
+  const fs::path name = request.scene.stem();
+  if (name != "scene") return name;
+  const fs::path folder = fs::absolute(request.scene).parent_path().filename();
+  return folder.empty() ? name : folder;
+}
+
+int fail(std::ostream& err, const Error& error) {
+  err << "etendue render: " << error.message << '\n';
+  return static_cast<int>(error.code);
+}
+
+std::string number(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// What identifies the picture; nothing that may differ between runs, so that equal pictures are equal files.
+ImageMetadata metadata(const Request& request, const SceneFile& file, const Rendering& rendering) {
+  const auto done = std::count(rendering.row_done.begin(), rendering.row_done.end(), char{1});
+  const std::string rows = std::to_string(done) + " of " + std::to_string(rendering.row_done.size());
+  return {{"etendue:version", version()},
+          {"etendue:method", "recursive ray tracing"},
+          {"etendue:scene", file.scene.name},
+          {"etendue:scene_hash", file.hash},
+          {"etendue:depth", std::to_string(request.render.limits.depth)},
+          {"etendue:cutoff", number(request.render.limits.cutoff)},
+          {"etendue:samples_per_side", std::to_string(request.render.samples_per_side)},
+          {"etendue:rows", rows + (rendering.complete ? "" : " (incomplete: the others are black)")}};
+}
+
+struct Written {
+  fs::path exr, png;
+};
+
+Result<Written> write_pictures(const Request& request, const SceneFile& file, const Rendering& rendering) {
+  const fs::path name = stem(request).string() + (rendering.complete ? "" : ".incomplete");
+  Written written{name.string() + ".exr", name.string() + ".png"};
+  ImageMetadata facts = metadata(request, file, rendering);
+  const auto exr = write_image(written.exr, rendering.image, facts);
+  if (!exr) return exr.error();
+  facts.emplace_back("etendue:exposure", number(request.exposure));
+  const auto png = write_image(written.png, exposed(rendering.image, request.exposure), facts);
+  if (!png) return png.error();
+  return written;
+}
+
+double per_ray(std::uint64_t tests, const RenderCounts& counts) {
+  return counts.rays() == 0 ? 0 : static_cast<double>(tests) / static_cast<double>(counts.rays());
+}
+
+void print_text(std::ostream& out, const Request& request, const SceneFile& file, const Rendering& rendering,
+                const Written& written, double seconds) {
+  const RenderCounts& counts = rendering.counts;
+  const TreeLimits& limits = request.render.limits;
+  const int side = request.render.samples_per_side;
+  const Brightness bright = brightness(exposed(rendering.image, request.exposure));
+  out << "scene       " << file.scene.name << ", " << file.scene.objects.size() << " objects, hash " << file.hash
+      << '\n'
+      << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
+      << side << " rays a pixel, depth " << limits.depth << ", cutoff " << number(limits.cutoff) << '\n'
+      << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
+      << counts.transmitted_rays << " transmitted, " << counts.shadow_rays << " to lights\n"
+      << "tests       " << rounded(per_ray(counts.tests.surfaces, counts)) << " surfaces and "
+      << rounded(per_ray(counts.tests.volumes, counts)) << " boxes a ray, by " << request.accelerator << '\n'
+      << "left out    " << counts.cut_by_depth << " rays by depth, " << counts.cut_by_cutoff << " by cutoff; together at most "
+      << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
+      << "brightness  " << rounded(bright.largest) << " at most";
+  if (bright.overflow > 0) {
+    out << "; " << bright.overflow << " pixels are cut off in the PNG (--exposure "
+        << rounded(request.exposure / bright.largest) << " would show them)";
+  }
+  out << "\ntime        " << rounded(seconds) << " s\n" << written.exr.string() << '\n' << written.png.string() << '\n';
+}
+
+void print_json(std::ostream& out, const Request& request, const SceneFile& file, const Rendering& rendering,
+                const Written& written, double seconds) {
+  const RenderCounts& counts = rendering.counts;
+  const Brightness bright = brightness(rendering.image);
+  nlohmann::ordered_json report;
+  report["program"] = std::string("etendue ") + version();
+  report["scene"] = {{"file", request.scene.string()}, {"name", file.scene.name}, {"hash", file.hash}};
+  report["settings"] = {{"depth", request.render.limits.depth},
+                        {"cutoff", request.render.limits.cutoff},
+                        {"samples_per_side", request.render.samples_per_side},
+                        {"accelerator", request.accelerator},
+                        {"exposure", request.exposure}};
+  report["picture"] = {{"columns", rendering.image.columns}, {"rows", rendering.image.rows},
+                       {"complete", rendering.complete},     {"largest_value", bright.largest},
+                       {"exr", written.exr.string()},        {"png", written.png.string()}};
+  report["rays"] = {{"eye", counts.eye_rays},
+                    {"reflected", counts.reflected_rays},
+                    {"transmitted", counts.transmitted_rays},
+                    {"shadow", counts.shadow_rays}};
+  report["tests"] = {{"surfaces", counts.tests.surfaces}, {"boxes", counts.tests.volumes}};
+  report["left_out"] = {{"by_depth", counts.cut_by_depth},
+                        {"by_cutoff", counts.cut_by_cutoff},
+                        {"largest_weight", counts.largest_cut_weight}};
+  report["seconds"] = seconds;
+  out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+struct Pixel {
+  int column, row;
+};
+
+/// "COLUMN,ROW" of a pixel in the picture.
+std::optional<Pixel> read_pixel(const std::string& text, const Camera& camera) {
+  int column = 0, row = 0;
+  const char* const end = text.data() + text.size();
+  const auto [comma, first] = std::from_chars(text.data(), end, column);
+  if (first != std::errc{} || comma == end || *comma != ',') return std::nullopt;
+  const auto [rest, second] = std::from_chars(comma + 1, end, row);
+  if (second != std::errc{} || rest != end) return std::nullopt;
+  if (column < 0 || column >= camera.columns || row < 0 || row >= camera.rows) return std::nullopt;
+  return Pixel{column, row};
+}
+
+/// --ray-tree: the tree of the ray through a pixel's centre, as text or, with --output NAME.dot, as a graph.
+int explain_pixel(const Request& request, const Options& options, const Accelerator& accelerator, std::ostream& out,
+                  std::ostream& err) {
+  const Scene& scene = accelerator.scene();
+  const auto pixel = read_pixel(request.pixel, scene.camera);
+  if (!pixel) {
+    return options.usage_error(
+        err, "option '--ray-tree': found '" + request.pixel + "', expected COLUMN,ROW from 0,0 to " +
+                 std::to_string(scene.camera.columns - 1) + "," + std::to_string(scene.camera.rows - 1));
+  }
+  const auto frame = camera_frame(scene.camera);
+  if (!frame) return fail(err, frame.error());
+  const Ray ray = eye_ray(*frame, picture_point(scene.camera, pixel->column, pixel->row));
+  const RayTree tree = trace(ray, accelerator, request.render.limits);
+  if (request.common.output.empty()) {
+    out << to_text(tree, scene);
+    return 0;
+  }
+  const auto written = write_file(request.common.output, to_dot(tree, scene));
+  if (!written) return fail(err, written.error());
+  if (!request.common.quiet) out << request.common.output.string() << '\n';
+  return 0;
+}
+
+void declare(Options& options, Request& request) {
+  options.argument("SCENE", "scene file (JSON)", request.scene);
+  options.integer("--depth", "D", "greatest level of a ray; rays from the eye are of level 0 (default: 12)",
+                  request.render.limits.depth, 0, kMostBounces);
+  options.real("--cutoff", "C", "do not follow rays whose weight in the pixel is below C (default: 0, follow all)",
+               request.render.limits.cutoff, 0, 1);
+  options.integer("--samples", "N", "N × N rays a pixel (default: 2)", request.render.samples_per_side, 1,
+                  kMostSamples);
+  options.choice("--accelerator", {"bvh", "brute"}, "bounding volumes or every surface; same picture (default: bvh)",
+                 request.accelerator);
+  options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
+               request.exposure, 0, kMostExposure);
+  options.text("--ray-tree", "COLUMN,ROW",
+               "no picture: print the tree of rays of one pixel (--output NAME.dot: draw it)", request.pixel);
+  add_common(options, request.common,
+             "NAME.exr or NAME.png: both are written (default: the scene's name, in this folder)");
+  options.note(
+      "The EXR holds linear values and, like the PNG, says in its metadata how it was made. After Ctrl-C the rows "
+      "that\n"
+      "are done are saved as NAME.incomplete.exr and .png, and the exit code is 6.");
+  options.example("etendue render scenes/mirrors/scene.json --output mirrors.png");
+  options.example("etendue render scenes/mirrors/scene.json --depth 1 --samples 1 --json --output mirrors-1.png");
+  options.example("etendue render scenes/mirrors/scene.json --ray-tree 250,200");
+}
+
+}  // namespace
+
 int render(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
-  Options options("render", "Not built yet.");
+  Request request;
+  request.render.limits.depth = 12;
+  request.render.samples_per_side = 2;
+  Options options("render", "Render a scene by recursive ray tracing.");
+  declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  err << "etendue render: not built yet\n";
-  return static_cast<int>(ErrorCode::usage);
+  const bool picture = request.pixel.empty();
+  if (picture && !request.common.output.empty()) {
+    const auto writable = check_image_path(request.common.output);
+    if (!writable) return fail(err, writable.error());
+  }
+  const auto file = read_scene(request.scene);
+  if (!file) return fail(err, file.error());
+  const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
+  const auto accelerator = make_accelerator(file->scene, kind);
+  if (!picture) return explain_pixel(request, options, *accelerator, out, err);
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto rendering = [&] {
+    Progress progress(err, "render", request.common);  // wiped before anything is printed
+    return etendue::render(*accelerator, request.render, execution(request.common, progress));
+  }();
+  if (!rendering) return fail(err, rendering.error());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  const auto written = write_pictures(request, *file, *rendering);
+  if (!written) return fail(err, written.error());
+
+  if (request.common.json) {
+    print_json(out, request, *file, *rendering, *written, elapsed.count());
+  } else if (!request.common.quiet) {
+    print_text(out, request, *file, *rendering, *written, elapsed.count());
+  }
+  if (rendering->complete) return 0;
+  err << "etendue render: stopped; the rows that were done are in " << written->exr.string() << '\n';
+  return static_cast<int>(ErrorCode::stopped);
 }
 
 }  // namespace etendue::cli
