@@ -21,6 +21,11 @@ int sign(double value) {
 
 }  // namespace
 
+double difference_of_products(double a, double b, double c, double d) {
+  const DoubleDouble left = exact_product(a, b), right = exact_product(c, d);
+  return (left.high - right.high) + (left.low - right.low);
+}
+
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (a.x() - c.x()) * (b.y() - c.y());
   const double right = (a.y() - c.y()) * (b.x() - c.x());

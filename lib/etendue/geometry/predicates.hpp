@@ -13,6 +13,13 @@ namespace etendue {
 /// Source    Shewchuk 1997
 [[nodiscard]] int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// ab − cd without cancellation.
+///
+/// Accuracy  relative error at most 2 u where the rounded products are equal, 3 u otherwise; the sign is exact. Proved
+/// Domain    products and their rounding errors do not underflow: |ab|, |cd| ≥ 2^-960 or zero
+/// Source    Jeannerod, Louvet and Muller 2013 (Kahan's algorithm)
+[[nodiscard]] double difference_of_products(double a, double b, double c, double d);
+
 /// On which side of the plane `point` lies: 1 in front (where the normal points), −1 behind, 0 on it.
 /// The plane is the one its stored doubles describe.                                                @eq IU.5-12
 ///

@@ -7,6 +7,7 @@
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/meeting.hpp"
+#include "etendue/geometry/predicates.hpp"
 #include "etendue/geometry/resolved.hpp"
 
 namespace etendue {
@@ -43,8 +44,7 @@ Sheared sheared(const Shear& shear, const Vec3& corner, const Vec3& origin) {
 double edge_function(const Sheared& p, const Sheared& q) {
   const double value = p.x * q.y - p.y * q.x;
   if (value != 0) return value;
-  const DoubleDouble left = exact_product(p.x, q.y), right = exact_product(p.y, q.x);
-  return (left.high - right.high) + (left.low - right.low);
+  return difference_of_products(p.x, q.y, p.y, q.x);
 }
 
 // The plane of the corners: its normal, of the length of twice the area, and where the ray meets it.
