@@ -161,13 +161,14 @@ TEST(GaussianElimination, RefusesSingularMatricesNamingTheColumn) {
   const Eigen::VectorXd rhs = Eigen::VectorXd::Ones(4);
   const auto over_rationals = gaussian_elimination<Rational>(exact(matrix), RationalVector(exact(rhs)));
   ASSERT_FALSE(over_rationals.ok());
-  EXPECT_NE(over_rationals.error().message.find("column 2"), std::string::npos) << over_rationals.error().message;
+  EXPECT_TRUE(holds(over_rationals.error().message.find("column 2") != std::string::npos))
+      << over_rationals.error().message;
 
   const Eigen::MatrixXd zero_column = matrix * Eigen::Vector4d(1, 1, 0, 1).asDiagonal();
   for (const auto& solution : {solve_gaussian(zero_column, rhs), solve_eigen_lu(zero_column, rhs)}) {
     ASSERT_FALSE(solution.ok());
-    EXPECT_EQ(solution.error().code, ErrorCode::invalid_input);
-    EXPECT_NE(solution.error().message.find("column 2"), std::string::npos) << solution.error().message;
+    EXPECT_TRUE(holds(solution.error().code == ErrorCode::invalid_input));
+    EXPECT_TRUE(holds(solution.error().message.find("column 2") != std::string::npos)) << solution.error().message;
   }
 }
 
@@ -182,10 +183,10 @@ TEST(GaussianElimination, RefusesWhatIsNoSystem) {
   for (const auto solve : {solve_gaussian, solve_eigen_lu}) {
     const auto shape = solve(identity, Eigen::VectorXd::Ones(2));
     ASSERT_FALSE(shape.ok());
-    EXPECT_NE(shape.error().message.find("3 × 3"), std::string::npos);
+    EXPECT_TRUE(holds(shape.error().message.find("3 × 3") != std::string::npos));
     const auto entry = solve(nan_inside, Eigen::VectorXd::Ones(3));
     ASSERT_FALSE(entry.ok());
-    EXPECT_NE(entry.error().message.find("(1, 2)"), std::string::npos);
+    EXPECT_TRUE(holds(entry.error().message.find("(1, 2)") != std::string::npos));
   }
 }
 

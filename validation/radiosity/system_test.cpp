@@ -232,7 +232,7 @@ TEST(RadiositySystem, RefusesAMirrorWhite) {
     system.reflectance = Eigen::Vector2d(0.5, 1);
     const auto refused = solve_radiosity(system, solver);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("row 1"), std::string::npos) << refused.error().message;
+    EXPECT_TRUE(holds(refused.error().message.find("row 1") != std::string::npos)) << refused.error().message;
     system.reflectance = Eigen::Vector2d(0.5, 1 - 0x1p-30);
     EXPECT_TRUE(solve_radiosity(system, solver).ok());
   }
@@ -263,8 +263,8 @@ TEST(RadiositySystem, RefusesBadDataNamingTheRow) {
   for (const auto& [system, words] : bad) {
     const auto refused = solve_radiosity(system, DirectSolver::gaussian_elimination);
     ASSERT_FALSE(refused.ok()) << words;
-    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
-    EXPECT_NE(refused.error().message.find(words), std::string::npos) << refused.error().message;
+    EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
+    EXPECT_TRUE(holds(refused.error().message.find(words) != std::string::npos)) << refused.error().message;
   }
 }
 

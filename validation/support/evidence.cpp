@@ -14,6 +14,11 @@ std::vector<Evidence>& store() {
   return evidence;
 }
 
+bool& only_claims() {
+  static bool only = false;
+  return only;
+}
+
 std::string running_test() {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   return info ? std::string(info->test_suite_name()) + "." + info->name() : "outside a test";
@@ -22,7 +27,7 @@ std::string running_test() {
 Evidence& current() {
   const std::string test = running_test();
   auto& all = store();
-  if (all.empty() || all.back().test != test) all.push_back({test, {}, {}, {}, 0, 0});
+  if (all.empty() || all.back().test != test) all.push_back({test, {}, {}, {}, 0, 0, {}});
   return all.back();
 }
 
@@ -40,23 +45,36 @@ double share_of(double error, double tolerance) {
 
 std::string_view name(Oracle kind) {
   switch (kind) {
-    case Oracle::identity: return "identity";
-    case Oracle::closed_form: return "closed form";
-    case Oracle::table: return "table";
-    case Oracle::exact: return "exact arithmetic";
-    case Oracle::metamorphic: return "metamorphic";
-    case Oracle::statistics: return "statistics";
-    case Oracle::program: return "independent method";
-    case Oracle::render: return "known render";
+    case Oracle::identity:
+      return "identity";
+    case Oracle::closed_form:
+      return "closed form";
+    case Oracle::table:
+      return "table";
+    case Oracle::exact:
+      return "exact arithmetic";
+    case Oracle::metamorphic:
+      return "metamorphic";
+    case Oracle::statistics:
+      return "statistics";
+    case Oracle::program:
+      return "independent method";
+    case Oracle::render:
+      return "known render";
   }
   return "unknown";
 }
 
 void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_view oracle) {
+  if (!current().claims.empty()) store().push_back({running_test(), {}, {}, {}, 0, 0, {}});
   Evidence& evidence = current();
   evidence.claims.assign(claims.begin(), claims.end());
   evidence.kind = name(kind);
   evidence.oracle = oracle;
+  if (only_claims()) {
+    // GoogleTest takes this for an assertion that was reported already, and ends the test without a failure.
+    throw ::testing::AssertionException({::testing::TestPartResult::kSuccess, "", 0, ""});
+  }
   std::string joined;
   for (const auto& claim : evidence.claims) joined += (joined.empty() ? "" : " ") + claim;
   ::testing::Test::RecordProperty("claims", joined);
@@ -69,7 +87,8 @@ void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_
   if (sound && error <= tolerance) return ::testing::AssertionSuccess();
   std::ostringstream text;
   text.precision(17);
-  text << "error " << error << " is " << (sound ? error / tolerance : std::nan("")) << " times the tolerance " << tolerance;
+  text << "error " << error << " is " << (sound ? error / tolerance : std::nan("")) << " times the tolerance "
+       << tolerance;
   return ::testing::AssertionFailure() << text.str();
 }
 
@@ -84,6 +103,16 @@ void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_
   return result;
 }
 
+::testing::AssertionResult apart(double printed, double right, double tolerance) {
+  const bool sound = std::isfinite(right) && tolerance >= 0;
+  record(sound ? 0 : std::nan(""), 1);
+  if (sound && !(std::abs(printed - right) <= tolerance)) return ::testing::AssertionSuccess();
+  std::ostringstream text;
+  text.precision(17);
+  text << printed << " is not apart from " << right << " by more than " << tolerance;
+  return ::testing::AssertionFailure() << text.str();
+}
+
 ::testing::AssertionResult all_agree(std::uint64_t mismatches, std::uint64_t decisions) {
   record(mismatches == 0 && decisions > 0 ? 0 : std::nan(""), decisions);
   if (decisions == 0) return ::testing::AssertionFailure() << "nothing was decided";
@@ -91,6 +120,20 @@ void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_
   return ::testing::AssertionFailure() << mismatches << " of " << decisions << " decisions disagree";
 }
 
-const std::vector<Evidence>& collected_evidence() { return store(); }
+::testing::AssertionResult holds(bool decision) {
+  return all_agree(decision ? 0 : 1, 1);
+}
+
+void uses_seed(std::uint64_t seed) {
+  current().seeds.push_back(seed);
+}
+
+const std::vector<Evidence>& collected_evidence() {
+  return store();
+}
+
+void only_collect_claims() {
+  only_claims() = true;
+}
 
 }  // namespace etendue::validation

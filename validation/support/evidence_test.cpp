@@ -17,6 +17,13 @@ TEST(Evidence, RefusesNanNegativeErrorsAndEmptyChecks) {
   EXPECT_FALSE(near(1, 1 + 1e-9, 1e-10));
   EXPECT_FALSE(all_agree(0, 0));
   EXPECT_FALSE(all_agree(1, 10));
+  EXPECT_FALSE(holds(false));
+  EXPECT_TRUE(holds(true));
+  EXPECT_FALSE(apart(1, 1 + 1e-10, 1e-9));
+  EXPECT_FALSE(apart(1, std::nan(""), 1e-9));
+  EXPECT_FALSE(apart(1, 2, std::nan("")));
+  EXPECT_TRUE(apart(1, 2, 0.5));
+  EXPECT_TRUE(apart(std::nan(""), 2, 0.5));
   EXPECT_TRUE(near(1, 1, 0));
   EXPECT_TRUE(all_agree(0, 10));
 }

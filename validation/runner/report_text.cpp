@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "runner/report.hpp"
+
+namespace etendue::validation {
+
+namespace {
+
+constexpr std::size_t kLineWidth = 100;
+constexpr std::array<std::size_t, 4> kColumns = {10, 20, 24, 0};
+
+void append_line(std::string& text, const std::array<std::string, 4>& cells) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    text += cells[i];
+    if (i + 1 < cells.size()) text.append(std::max(kColumns[i], cells[i].size() + 1) - cells[i].size(), ' ');
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  text += '\n';
+}
+
+std::string verdict_text(const RowReport& row) {
+  std::string text = word(row);
+  if (row.errata.empty() || row.verdict != Verdict::refuted) return text;
+  text += " as printed:";
+  for (const auto& erratum : row.errata) text += " " + erratum;
+  return text;
+}
+
+void append_row(std::string& text, const RowReport& row) {
+  if (row.standing == Standing::open) return;
+  if (row.proofs.empty()) append_line(text, {row.id, "-", "-", verdict_text(row)});
+  for (std::size_t i = 0; i < row.proofs.size(); ++i) {
+    const Proof& proof = row.proofs[i];
+    append_line(text,
+                {i == 0 ? row.id : "", proof.kind, share_text(proof.worst_share), i == 0 ? verdict_text(row) : ""});
+  }
+}
+
+void append_open(std::string& text, const char* what, const std::vector<RowReport>& rows) {
+  std::string line = std::string("open ") + what + ":";
+  bool any = false;
+  for (const auto& row : rows) {
+    if (row.standing != Standing::open) continue;
+    any = true;
+    if (line.size() + 1 + row.id.size() > kLineWidth) {
+      text += line + "\n";
+      line = " ";
+    }
+    line += " " + row.id;
+  }
+  if (any) text += line + "\n";
+}
+
+}  // namespace
+
+std::string share_text(double share) {
+  if (std::isnan(share)) return "not a number";
+  if (share == 0) return "exact";
+  std::array<char, 32> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), share >= 0.001 ? "%.3f" : "%.1e", share);
+  return buffer.data();
+}
+
+std::string text_report(const Summary& summary, const BuildInfo& build) {
+  std::string text = "etendue " + build.version + ", " + build.compiler + ", " + build.build_type +
+                     ", -ffp-contract=" + build.contraction + "\n\n";
+  append_line(text, {"claim", "oracle", "worst error/tolerance", "verdict"});
+  for (const auto& row : summary.claims) append_row(text, row);
+  text += "\n";
+  append_line(text, {"erratum", "oracle", "worst error/tolerance", "verdict"});
+  for (const auto& row : summary.errata) append_row(text, row);
+  text += "\n";
+  if (summary.full) {
+    append_open(text, "claims", summary.claims);
+    append_open(text, "errata", summary.errata);
+  }
+  for (const auto& test : summary.tests) {
+    for (const auto& failure : test.failures) text += "FAILED " + test.suite + "." + test.name + "\n" + failure + "\n";
+  }
+  for (const auto& problem : summary.problems) text += "PROBLEM " + problem + "\n";
+  text += std::to_string(summary.passed) + " tests passed, " + std::to_string(summary.failed) + " failed\n";
+  text += headline(summary) + "\n";
+  return text;
+}
+
+}  // namespace etendue::validation

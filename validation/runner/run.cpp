@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runner/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <memory>
+
+#include "etendue/core/version.hpp"
+#include "runner/listeners.hpp"
+#include "runner/options.hpp"
+#include "runner/output_file.hpp"
+#include "runner/probe.hpp"
+#include "runner/report.hpp"
+
+namespace etendue::validation {
+
+namespace {
+
+constexpr double kSecondsPerMillisecond = 1e-3;
+
+int fail(const Error& error) {
+  std::cerr << "etendue-validate: " << error.message << "\n";
+  return static_cast<int>(error.code);
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::array<char, 32> buffer{};
+  std::tm parts{};
+  if (::gmtime_r(&now, &parts) != nullptr) std::strftime(buffer.data(), buffer.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return buffer.data();
+}
+
+BuildInfo build_info() {
+#ifdef __clang__
+  const std::string compiler = std::string("clang ") + __clang_version__;
+#else
+  const std::string compiler = std::string("g++ ") + __VERSION__;
+#endif
+  return {version(), compiler, ETENDUE_BUILD_TYPE, ETENDUE_FP_CONTRACT, utc_now(), 0};
+}
+
+int print_claims(const Register& all) {
+  for (const auto& claim : all.claims) {
+    std::cout << claim.id << "\t" << name(claim.verdict) << "\t" << claim.statement;
+    if (!claim.formula.empty()) std::cout << "  " << claim.formula;
+    for (const auto& erratum : claim.errata) std::cout << " [" << erratum << "]";
+    std::cout << "\n";
+  }
+  for (const auto& erratum : all.errata) {
+    std::cout << erratum.id << "\t" << name(erratum.verdict) << "\tprinted: " << erratum.printed
+              << "; right: " << erratum.right << "\n";
+  }
+  return 0;
+}
+
+int print_tests() {
+  const auto tests = probe_tests();
+  if (!tests) return fail(tests.error());
+  for (const auto& test : *tests) {
+    std::cout << test.test;
+    for (const auto& claim : test.claims) std::cout << " " << claim;
+    std::cout << "\n";
+  }
+  return 0;
+}
+
+/// GoogleTest's filter for the tests that fit any of the patterns, by their name or by what they prove.
+Result<std::string> gtest_filter(const std::vector<std::string>& patterns) {
+  const auto tests = probe_tests();
+  if (!tests) return tests.error();
+  std::string filter;
+  for (const auto& pattern : patterns) {
+    bool any = false;
+    for (const auto& test : *tests) {
+      const bool fit = fits(test.test, pattern) || std::any_of(test.claims.begin(), test.claims.end(),
+                                                               [&](const auto& id) { return fits(id, pattern); });
+      if (fit) filter += (filter.empty() ? "" : ":") + test.test;
+      any = any || fit;
+    }
+    if (!any) return Error{ErrorCode::usage, "no test proves or is called " + pattern + "; --list names all"};
+  }
+  return filter;
+}
+
+struct Reports {
+  std::unique_ptr<OutputFile> text;
+  std::unique_ptr<OutputFile> json;
+  std::unique_ptr<OutputFile> junit;
+};
+
+Result<Reports> open_reports(const Options& options) {
+  Reports reports;
+  const auto open = [](const std::string& path, std::unique_ptr<OutputFile>& file) -> Result<Done> {
+    if (path.empty()) return Done{};
+    auto opened = OutputFile::open(path);
+    if (!opened) return opened.error();
+    file = std::move(opened).value();
+    return Done{};
+  };
+  for (auto&& done : {open(options.text_path, reports.text), open(options.json_path, reports.json),
+                      open(options.junit_path, reports.junit)}) {
+    if (!done) return done.error();
+  }
+  return reports;
+}
+
+Result<Done> write_reports(const Reports& reports, const Summary& summary, const Register& all,
+                           const BuildInfo& build) {
+  const auto commit = [](const std::unique_ptr<OutputFile>& file, const std::string& content) -> Result<Done> {
+    return file ? file->commit(content) : Result<Done>(Done{});
+  };
+  for (auto&& done :
+       {commit(reports.text, text_report(summary, build)), commit(reports.json, json_report(summary, all, build)),
+        commit(reports.junit, junit_report(summary, build))}) {
+    if (!done) return done.error();
+  }
+  return Done{};
+}
+
+/// Did nothing narrow the run: no filter, no shard?
+bool selects_everything() {
+  return GTEST_FLAG_GET(filter) == "*" && std::getenv("GTEST_TOTAL_SHARDS") == nullptr;
+}
+
+/// A disabled test would be a check that silently does not happen: it counts as skipped.
+void add_disabled(std::vector<TestRun>& tests) {
+  const auto& unit = *::testing::UnitTest::GetInstance();
+  for (int s = 0; s < unit.total_test_suite_count(); ++s) {
+    const auto& suite = *unit.GetTestSuite(s);
+    for (int t = 0; t < suite.total_test_count(); ++t) {
+      if (suite.GetTestInfo(t)->should_run()) continue;
+      tests.push_back({suite.name(), suite.GetTestInfo(t)->name(), Outcome::skipped, {}, 0, {}});
+    }
+  }
+}
+
+void print(const Summary& summary, const BuildInfo& build, const Options& options) {
+  if (options.gtest_options.empty() && !options.quiet) {
+    std::cout << text_report(summary, build);
+    return;
+  }
+  for (const auto& test : summary.tests) {
+    if (!options.gtest_options.empty()) break;  // GoogleTest has printed them
+    for (const auto& failure : test.failures)
+      std::cout << "FAILED " << test.suite << "." << test.name << "\n" << failure << "\n";
+  }
+  for (const auto& problem : summary.problems) std::cout << "PROBLEM " << problem << "\n";
+  if (options.gtest_options.empty()) std::cout << headline(summary) << "\n";
+}
+
+int run_tests(const Options& options, const Register& all, const Reports& reports) {
+  auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
+  std::vector<TestRun> tests;
+  listeners.Append(new Collector(tests));  // GoogleTest owns it
+  if (options.gtest_options.empty()) {
+    delete listeners.Release(listeners.default_result_printer());
+    listeners.Append(new Progress);
+  }
+  // What RUN_ALL_TESTS thinks is told again, test by test, by the summary; but it also sees failures outside tests.
+  const int gtest_says = RUN_ALL_TESTS();
+  const bool full = selects_everything();
+  if (full) add_disabled(tests);
+  const Summary summary = summarize(all, std::move(tests), full);
+  BuildInfo build = build_info();
+  build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
+  print(summary, build, options);
+  const auto written = write_reports(reports, summary, all, build);
+  if (!written) return fail(written.error());
+  return gtest_says == 0 && summary.ok() ? 0 : static_cast<int>(ErrorCode::check_failed);
+}
+
+/// Hands the --gtest_* options to GoogleTest; refuses those that it does not know.
+Result<Done> init_gtest(const Options& options) {
+  std::vector<std::string> words = {"etendue-validate"};
+  words.insert(words.end(), options.gtest_options.begin(), options.gtest_options.end());
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  int argc = static_cast<int>(words.size());
+  ::testing::InitGoogleTest(&argc, argv.data());
+  if (argc > 1) return Error{ErrorCode::usage, std::string("unknown option ") + argv[1]};
+  return Done{};
+}
+
+int run_action(const Options& options, const Register& all) {
+  if (inside_probe()) return fail({ErrorCode::usage, "a probe of the tests must not start another run"});
+  if (options.action == Options::Action::list) return print_tests();
+  // Reports first: a path that cannot be written must not cost the work of a whole run.
+  const auto reports = open_reports(options);
+  if (!reports) return fail(reports.error());
+  std::string filter;
+  if (!options.filters.empty()) {
+    const auto chosen = gtest_filter(options.filters);
+    if (!chosen) return fail(chosen.error());
+    filter = *chosen;
+  }
+  const auto ready = init_gtest(options);
+  if (!ready) return fail(ready.error());
+  if (!filter.empty()) GTEST_FLAG_SET(filter, filter);
+  if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
+  return run_tests(options, all, *reports);
+}
+
+}  // namespace
+
+int run_validation(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {
+  const auto options = parse_options({argv + 1, argv + argc});
+  if (!options) return fail(options.error());
+  if (options->action == Options::Action::help) {
+    std::cout << help_text();
+    return 0;
+  }
+  if (options->action == Options::Action::version) {
+    std::cout << "etendue-validate " << version() << "\n";
+    return 0;
+  }
+  const auto all = parse_register(claims_json, errata_json);
+  if (!all) return fail(all.error());
+  if (options->action == Options::Action::claims) return print_claims(*all);
+  return run_action(*options, *all);
+}
+
+}  // namespace etendue::validation

@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the real etendue-validate (argument 1) on its error paths and on one small selection, and etendue (argument 2)
+as the one that hands over to it."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+program, front = sys.argv[1:]
+complaints = []
+
+
+def demand(what, options, code, *texts, command=(program,)):
+    done = subprocess.run([*command, *options], capture_output=True, timeout=120)
+    out = (done.stdout + done.stderr).decode()
+    good = done.returncode == code and all(text in out for text in texts)
+    print(("ok    " if good else "WRONG ") + what)
+    if not good:
+        complaints.append(what)
+        print(f"exit {done.returncode}, wanted {code} and {texts}\n{out}")
+    return out
+
+
+demand("an unknown option is refused, the nearest one named", ["--jsn", "x"], 2, "unknown option --jsn", "did you mean --json?")
+demand("an unknown option of GoogleTest too", ["--gtest_fliter=x"], 2, "unknown option --gtest_fliter=x")
+demand("a missing value is refused", ["--json"], 2, "--json needs a value")
+demand("a stray argument is refused", ["IU.6-11"], 2, "--filter IU.6-11")
+demand("a filter that selects nothing is refused", ["--filter", "IU.99"], 2, "IU.99")
+demand("a report that cannot be written is refused before the run", ["--json", "/nowhere/at/all.json"], 5, "/nowhere/at/all.json")
+demand("a folder in place of a report too", ["--text", "/"], 5, "is a directory")
+demand("--version", ["--version"], 0, "etendue-validate 0.")
+demand("--help ends with sample runs", ["--help"], 0, "Sample runs\n  etendue-validate --claims\n")
+demand("--claims shows the register", ["--claims"], 0, "IU.6-5\t", "A_i F_ij = A_j F_ji", "R9\t")
+demand("--list shows what is proved", ["--list"], 0, "Evidence.RefusesNanNegativeErrorsAndEmptyChecks")
+with tempfile.TemporaryDirectory() as folder:
+    json_path, junit_path = os.path.join(folder, "a.json"), os.path.join(folder, "a.xml")
+    demand("one test runs alone", ["--filter", "Evidence.*", "--json", json_path, "--junit", junit_path], 0,
+           "1 tests passed, 0 failed")
+    claims = json.load(open(json_path, encoding="utf-8"))["claims"]
+    suites = xml.etree.ElementTree.parse(junit_path).getroot()
+    if len(claims) < 130 or suites.get("tests") != "1":
+        complaints.append("the reports of the real program")
+demand("etendue validate hands over", ["--claims"], 0, "IU.6-5\t", command=(front, "validate"))
+demand("and hands back the exit code", ["--jsn"], 2, "did you mean --json?", command=(front, "validate"))
+with tempfile.TemporaryDirectory() as folder:
+    lonely = shutil.copy(front, folder)
+    demand("without the program beside it etendue says so", [], 5, "etendue-validate: No such file", command=(lonely, "validate"))
+sys.exit(1 if complaints else 0)

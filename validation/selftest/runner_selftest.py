@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the program of misbehaving tests (argument 1) and demands that the runner notices each misbehaviour."""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+program = sys.argv[1]
+complaints = []
+
+
+def run(*options):
+    done = subprocess.run([program, *options], capture_output=True, timeout=60)
+    return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
+
+
+def demand(what, condition, context=""):
+    print(("ok    " if condition else "WRONG ") + what)
+    if not condition:
+        complaints.append(what)
+        print(context)
+
+
+def demand_run(what, options, code, *texts):
+    status, out, err = run(*options)
+    good = status == code and all(text in out + err for text in texts)
+    demand(what, good, f"exit {status}, wanted {code} and {texts}\n{out}{err}")
+    return out
+
+
+out = demand_run("good tests pass", ["--filter", "Good.*"], 0, "T.1", "closed form", "0.100", "3 tests passed, 0 failed",
+                 "1 claims verified, 1 refuted with the mended form verified, 1 open; 1 errata proved")
+lines = {line.split()[0]: line for line in out.splitlines() if line.strip()}
+demand("a yes-or-no claim shows as exact", "exact" in lines["T.2"] and "refuted as printed: E1" in lines["T.2"], out)
+demand("a verified row whose tests were not chosen is 'not run'", "not run" in lines["T.3"], out)
+demand("an open row with a passing test stays open", "open, in part" in lines["T.4"], out)
+
+demand_run("a failing test ends with 1", ["--filter", "Bad.Fails"], 1, "FAILED", "times the tolerance")
+demand_run("a test that asserts nothing ends with 1", ["--filter", "Bad.AssertsNothing"], 1, "asserts nothing")
+demand_run("so does one that passes out of bounds", ["--filter", "Bad.PassesOutOfBounds"], 1, "exceeds its tolerance")
+demand_run("so does one that passes on NaN", ["--filter", "Bad.PassesOnNan"], 1, "not a number")
+demand_run("so does one with an unknown id", ["--filter", "Bad.NamesAnUnknownClaim"], 1, "T.77", "register does not have")
+demand_run("so does one that skips", ["--filter", "Bad.Skips"], 1, "nothing skips")
+demand_run("a full run names the unproved row and the disabled test", [], 1, "T.3: the register says verified",
+           "Bad.DISABLED_Sleeps: skipped")
+demand_run("GoogleTest's own options work, and the evidence still counts",
+           ["--gtest_filter=Bad.AssertsNothing"], 1, "[       OK ]", "asserts nothing")
+demand_run("a good test under GoogleTest's options passes", ["--gtest_filter=Good.DecidesExactly"], 0, "[  PASSED  ]")
+demand_run("the list of GoogleTest is only that", ["--gtest_list_tests"], 0, "Good.\n  HoldsATenthOfItsTolerance")
+
+demand_run("an id selects the tests that prove it", ["--filter", "E1", "--quiet"], 0, "1 refuted")
+demand_run("a pattern that fits nothing is refused", ["--filter", "T.[24]", "--quiet"], 2, "T.[24]")
+demand_run("--list shows what each test proves", ["--list"], 0, "Good.DecidesExactly T.2 E1", "Good.TwoOraclesInOneTest T.1\n")
+
+with tempfile.TemporaryDirectory() as folder:
+    files = {kind: os.path.join(folder, "report." + kind) for kind in ("json", "xml", "txt")}
+    paths = ["--json", files["json"], "--junit", files["xml"], "--text", files["txt"]]
+    demand_run("reports are written, failures or not", ["--quiet", *paths], 1)
+    report = json.load(open(files["json"], encoding="utf-8"))
+    demand("the JSON says what happened", report["schema"] == "etendue-validation-report/1" and not report["ok"]
+           and report["totals"]["tests_failed"] == 3 and report["claims"][0]["verdict"] == "FAILED"
+           and report["tests"][0]["evidence"][0]["seeds"] == [7], json.dumps(report["totals"]))
+    suites = xml.etree.ElementTree.parse(files["xml"]).getroot()
+    cases = list(suites.iter("testcase"))
+    failed = [case for case in cases if case.find("failure") is not None]
+    demand("the JUnit file counts what it holds", int(suites.get("tests")) == len(cases)
+           and int(suites.get("failures")) == len(failed) and any(case.get("name") == "Fails" for case in failed))
+    demand("and keeps odd characters", any("<integers> & \"quotes\"" in (p.get("value") or "") for p in suites.iter("property")))
+    demand("nothing temporary is left", sorted(os.listdir(folder)) == ["report.json", "report.txt", "report.xml"])
+
+    def stable(path):
+        timeless = json.load(open(path, encoding="utf-8"))
+        for entry in [timeless, *timeless["tests"]]:
+            entry.pop("duration_seconds")
+        timeless.pop("date")
+        return timeless
+
+    first = stable(files["json"])
+    run("--quiet", *paths)
+    demand("a second run reports the same", first == stable(files["json"]))
+
+sys.exit(1 if complaints else 0)
