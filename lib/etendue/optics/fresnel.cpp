@@ -15,6 +15,7 @@ double fresnel_reflectance(double cosine, double eta) {
   require(kLeastIndexRatio <= eta && eta <= kGreatestIndexRatio,
           "fresnel_reflectance: eta is a ratio of refractive indices");
   if (eta == 1) return 0;
+  if (cosine == 0) return 1;
   const DoubleDouble radicand = refraction_radicand(two_product(cosine, cosine), {1, 0}, eta);
   if (radicand.high <= 0) return 1;
 

@@ -21,7 +21,8 @@ double irradiance_of_power(double power, double distance) {
 
 double irradiance_of_intensity(double intensity, double distance) {
   require(std::isfinite(intensity) && intensity >= 0, "irradiance: the source is finite and not negative");
-  require(std::isfinite(distance) && distance > 0, "irradiance: distance is finite and positive");
+  require(distance > 0, "irradiance: distance is positive");
+  require(std::isnormal(distance * distance), "irradiance: the distance's square is a normal number");
   return intensity / (distance * distance);
 }
 

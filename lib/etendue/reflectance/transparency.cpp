@@ -7,14 +7,23 @@
 
 namespace etendue {
 
-double transparency(double n_z, const TransparencyRange& range) {
-  return transparency(n_z, range, 1);
-}
+namespace {
 
-double transparency(double n_z, const TransparencyRange& range, double m) {
+void require_domain(double n_z, const TransparencyRange& range) {
   require(0 <= n_z && n_z <= 1, "transparency: n_z is in [0, 1]");
   require(0 <= range.least && range.least <= range.greatest && range.greatest <= 1,
           "transparency: 0 <= least <= greatest <= 1");
+}
+
+}  // namespace
+
+double transparency(double n_z, const TransparencyRange& range) {
+  require_domain(n_z, range);
+  return range.least + (range.greatest - range.least) * n_z;
+}
+
+double transparency(double n_z, const TransparencyRange& range, double m) {
+  require_domain(n_z, range);
   require(std::isfinite(m) && m >= 1, "transparency: m is finite and at least one");
   return range.least + (range.greatest - range.least) * (1 - std::pow(1 - n_z, m));
 }

@@ -17,7 +17,7 @@ struct TransparencyRange {
 ///
 /// Symbols   n_z in [0, 1] cosine between the normal and the direction towards the viewer
 /// Domain    0 ≤ t_min ≤ t_max ≤ 1
-/// Accuracy  absolute error of at most 4 u
+/// Accuracy  absolute error of at most 3.1 u
 /// Errors    ContractViolation outside the domain
 [[nodiscard]] double transparency(double n_z, const TransparencyRange& range);
 
