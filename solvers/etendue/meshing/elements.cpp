@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/meshing/elements.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace etendue {
+
+namespace {
+
+using Quadrilateral = std::array<Vec3, 4>;
+
+// Collects the elements of one object; `error` is set by the first thing that cannot be done.
+struct Builder {
+  const Object& object;
+  std::size_t index;
+  ElementMesh& mesh;
+  std::optional<Error> error;
+
+  void refuse(const std::string& what) {
+    if (!error) error = Error{ErrorCode::invalid_input, "object '" + object.name + "' " + what};
+  }
+
+  std::optional<Polygon> polygon(std::vector<Vec3> vertices) {
+    auto made = Polygon::make(std::move(vertices));
+    if (made) return std::move(made).value();
+    refuse("cannot be divided: " + made.error().message);
+    return std::nullopt;
+  }
+
+  void undivided(const Polygon& face) {
+    mesh.faces.push_back({face, index, object.material});
+    mesh.elements.push_back({face, mesh.faces.size() - 1, mesh.patches++});
+  }
+
+  void divided(const Polygon& face) {
+    const auto& v = face.vertices();
+    const Quadrilateral corners{v[0], v[1], v[2], v[3]};
+    const auto [columns, rows] = object.subdivision.elements;
+    const auto [patch_columns, patch_rows] = object.subdivision.patches;
+    mesh.faces.push_back({face, index, object.material});
+    for (int b = 0; b < rows; ++b) {
+      for (int a = 0; a < columns; ++a) {
+        const auto cell = polygon({corner(corners, a, b), corner(corners, a + 1, b), corner(corners, a + 1, b + 1),
+                                   corner(corners, a, b + 1)});
+        if (!cell) return;
+        const int patch = (b * patch_rows / rows) * patch_columns + a * patch_columns / columns;
+        mesh.elements.push_back({*cell, mesh.faces.size() - 1, mesh.patches + static_cast<std::size_t>(patch)});
+      }
+    }
+    mesh.patches += static_cast<std::size_t>(patch_columns) * static_cast<std::size_t>(patch_rows);
+  }
+
+  void face(const Polygon& polygon) {
+    const auto [columns, rows] = object.subdivision.elements;
+    const auto [patch_columns, patch_rows] = object.subdivision.patches;
+    if (!is_convex(polygon)) return refuse("is concave: divide it into convex polygons");
+    if (columns < 1 || rows < 1 || patch_columns < 1 || patch_rows < 1 || columns % patch_columns != 0 ||
+        rows % patch_rows != 0) {
+      return refuse("has " + std::to_string(columns) + " × " + std::to_string(rows) + " elements in " +
+                    std::to_string(patch_columns) + " × " + std::to_string(patch_rows) +
+                    " patches: patches must divide the elements");
+    }
+    if (columns == 1 && rows == 1) return undivided(polygon);
+    if (polygon.vertices().size() != 4) {
+      return refuse(
+          "has " + std::to_string(polygon.vertices().size()) +
+          " corners: only quadrilaterals can be subdivided; leave the subdivision out or give it four corners");
+    }
+    divided(polygon);
+  }
+
+  // A corner of the grid: the same expression for all cells that meet there, so that they share it to the last bit.
+  Vec3 corner(const Quadrilateral& v, int a, int b) const {
+    const double s = static_cast<double>(a) / object.subdivision.elements[0];
+    const double t = static_cast<double>(b) / object.subdivision.elements[1];
+    return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
+  }
+
+  void operator()(const Polygon& shape) { face(shape); }
+
+  void operator()(const Triangle& shape) {
+    if (const auto made = polygon({shape.a, shape.b, shape.c})) face(*made);
+  }
+
+  void operator()(const Mesh& shape) {
+    for (std::size_t k = 0; k < shape.triangles.size() && !error; ++k) (*this)(shape.triangle(k));
+  }
+
+  void operator()(const Box& shape) {
+    for (int axis = 0; axis < 3 && !error; ++axis) {
+      for (const int side : {-1, 1}) {
+        // u × v = side · axis: the corners run counter-clockwise as seen from outside.
+        const int first = (axis + (side > 0 ? 1 : 2)) % 3;
+        const int second = (axis + (side > 0 ? 2 : 1)) % 3;
+        const Vec3 middle = shape.centre + side * shape.half_edges(axis) * shape.axes.col(axis);
+        const Vec3 u = shape.half_edges(first) * shape.axes.col(first);
+        const Vec3 v = shape.half_edges(second) * shape.axes.col(second);
+        if (const auto made = polygon({middle - u - v, middle + u - v, middle + u + v, middle - u + v})) face(*made);
+      }
+    }
+  }
+
+  void curved(const char* kind) {
+    refuse(std::string("is a ") + kind +
+           ": radiosity elements are flat; approximate it by a mesh, or leave it to etendue render");
+  }
+  void operator()(const Sphere&) { curved("sphere"); }
+  void operator()(const Cylinder&) { curved("cylinder"); }
+  void operator()(const Disc&) { curved("disc"); }
+  void operator()(const Plane&) { refuse("is an infinite plane: radiosity elements are bounded; use a polygon"); }
+};
+
+}  // namespace
+
+double diagonal(const ElementMesh& mesh) {
+  require(!mesh.faces.empty(), "diagonal: there is a face");
+  Vec3 low = mesh.faces.front().polygon.vertices().front(), high = low;
+  for (const Face& face : mesh.faces) {
+    for (const Vec3& vertex : face.polygon.vertices()) {
+      low = low.cwiseMin(vertex);
+      high = high.cwiseMax(vertex);
+    }
+  }
+  return (high - low).norm();
+}
+
+bool is_convex(const Polygon& polygon) {
+  const auto& v = polygon.vertices();
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Vec3 before = (v[(i + 1) % v.size()] - v[i]).normalized();
+    const Vec3 after = (v[(i + 2) % v.size()] - v[(i + 1) % v.size()]).normalized();
+    if (before.cross(after).dot(polygon.normal()) < -kStraightTurn) return false;
+  }
+  return true;  // a simple polygon that never turns right is convex
+}
+
+Result<ElementMesh> mesh_elements(const Scene& scene) {
+  ElementMesh mesh;
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    Builder builder{scene.objects[k], k, mesh, std::nullopt};
+    std::visit([&builder](const auto& shape) { builder(shape); }, scene.objects[k].shape);
+    if (builder.error) return *builder.error;
+  }
+  if (mesh.elements.empty()) return Error{ErrorCode::invalid_input, "the scene has no surface"};
+  return mesh;
+}
+
+}  // namespace etendue

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "etendue/core/result.hpp"
+#include "etendue/scene/scene.hpp"
+
+namespace etendue {
+
+/// A planar convex side of an object, undivided. It radiates from the side that its normal points to and blocks light
+/// from both.
+struct Face {
+  Polygon polygon;
+  std::size_t object = 0;    ///< index into Scene::objects
+  std::size_t material = 0;  ///< index into Scene::materials
+};
+
+/// The smallest piece of a face, with one radiosity.                                               @eq IU.6.7.1
+struct Element {
+  Polygon polygon;
+  std::size_t face = 0;   ///< index into ElementMesh::faces
+  std::size_t patch = 0;  ///< running number over the whole scene; elements of a patch share it
+};
+
+/// A scene cut into elements. Elements of a face follow one another, along its first edge fastest.
+struct ElementMesh {
+  std::vector<Face> faces;
+  std::vector<Element> elements;
+  std::size_t patches = 0;
+
+  const Face& face_of(const Element& element) const { return faces[element.face]; }
+};
+
+/// Surfaces nearer to each other than this share of the scene's diagonal count as touching: transforms and subdivision
+/// round coordinates to 2^-53 of their size, and a wall must not cut a slice of 2^-53 from its own corner.
+inline constexpr double kTouching = 0x1p-40;
+
+/// Diagonal of the axis-parallel box around all faces [length].
+[[nodiscard]] double diagonal(const ElementMesh& mesh);
+
+/// Sine of the largest turn to the right that still counts as going straight on: corners that transforms have rounded.
+inline constexpr double kStraightTurn = 0x1p-40;
+
+[[nodiscard]] bool is_convex(const Polygon& polygon);
+
+/// Cuts the objects of a scene into elements and groups them into patches.
+///
+///     p(s, t) = (1−s)(1−t) v_0 + s(1−t) v_1 + s t v_2 + (1−s) t v_3,  s = a/elements[0],  t = b/elements[1]
+///
+/// Domain    polygons, triangles, meshes (an element a triangle), boxes (six faces, seen from outside). Every object
+///           takes part, whatever its reflectance: a black wall still closes the room
+/// Returns   faces, elements and patches; neighbouring elements of a face share their corners to the last bit
+/// Errors    spheres, discs, cylinders and infinite planes (elements are flat and bounded), concave polygons, a
+///           subdivision of what is no quadrilateral, patches that do not divide elements; the message names the object
+///           and says what to use instead
+[[nodiscard]] Result<ElementMesh> mesh_elements(const Scene& scene);
+
+}  // namespace etendue
