@@ -1,18 +1,176 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve_command.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <ostream>
 
-#include "etendue/core/result.hpp"
+#include "etendue/core/version.hpp"
+#include "etendue/image/exposure.hpp"
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/io/image_file.hpp"
+#include "etendue/view/radiosity_view.hpp"
 #include "options.hpp"
+#include "progress.hpp"
+#include "solve_report.hpp"
 
 namespace etendue::cli {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostExposure = 1e12;  // beyond, no picture is meant
+constexpr int kMostSamples = 16;        // a side, 256 a pixel
+
+struct Request {
+  CommonOptions common;
+  fs::path scene;
+  std::string solver = "gauss";
+  double tolerance = AssemblyTolerance{}.obstructed.relative;
+  double exposure = 0;  ///< 0: so that white is the brightest surface that does not emit
+  int samples = 3;
+};
+
+int fail(std::ostream& err, const Error& error) {
+  err << "etendue solve: " << error.message << '\n';
+  return static_cast<int>(error.code);
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// The files' name without extension: as --output says, or that of the scene or of its folder.
+std::string stem(const Request& request) {
+  if (!request.common.output.empty()) return fs::path(request.common.output).replace_extension().string();
+  const fs::path name = request.scene.stem();
+  if (name != "scene") return name.string();
+  const fs::path folder = fs::absolute(request.scene).parent_path().filename();
+  return folder.empty() ? name.string() : folder.string();
+}
+
+/// What radiosity leaves out of this scene, one line each.
+std::vector<std::string> left_out(const Scene& scene) {
+  std::vector<std::string> lines;
+  if (!scene.lights.empty()) {
+    lines.push_back(std::to_string(scene.lights.size()) + " point or directional lights: only surfaces emit here");
+  }
+  for (const Material& material : scene.materials) {
+    if (material.k_s > 0 || material.k_r > 0 || material.k_t > 0) {
+      lines.push_back("k_s, k_r and k_t of material '" + material.name + "': every surface is ideally diffuse here");
+    }
+  }
+  return lines;
+}
+
+/// What identifies the picture; nothing that may differ between runs, so that equal pictures are equal files.
+ImageMetadata metadata(const SolveReport& report, int samples) {
+  return {{"etendue:version", version()},
+          {"etendue:method", "radiosity, full matrix, Gouraud"},
+          {"etendue:scene", report.file.scene.name},
+          {"etendue:scene_hash", report.file.hash},
+          {"etendue:solver", report.solver},
+          {"etendue:tolerance", number(report.tolerance.obstructed.relative)},
+          {"etendue:samples_per_side", std::to_string(samples)},
+          {"etendue:values", "radiosity [W/m2]"}};
+}
+
+Result<Done> write_pictures(SolveReport& report, const Request& request) {
+  const Scene& scene = report.file.scene;
+  report.vertices = vertex_radiosities(report.mesh, report.solution->radiosity, report.closure.covered);
+  report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, report.mesh, report.vertices);
+  const auto picture = view_radiosities(scene.camera, report.mesh, report.vertices, scene.background, request.samples);
+  if (!picture) return picture.error();
+  ImageMetadata facts = metadata(report, request.samples);
+  report.exr = stem(request) + ".exr";
+  report.png = stem(request) + ".png";
+  if (const auto written = write_image(report.exr, *picture, facts); !written) return written;
+  facts.back().second = "radiosity times exposure";
+  facts.emplace_back("etendue:exposure", number(report.exposure));
+  return write_image(report.png, exposed(*picture, report.exposure), facts);
+}
+
+void declare(Options& options, Request& request) {
+  options.argument("SCENE", "scene file (JSON)", request.scene);
+  options.choice("--solver", {"gauss", "eigen"}, "own Gaussian elimination or Eigen's LU (default: gauss)",
+                 request.solver);
+  options.real("--tolerance", "T", "relative error asked of obstructed form factors (default: 1e-6)", request.tolerance,
+               1e-12, 0.1);
+  options.real("--exposure", "F",
+               "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
+               request.exposure, 0, kMostExposure);
+  options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
+  add_common(options, request.common,
+             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder)");
+  options.note(
+      "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
+      "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
+      "After Ctrl-C the state of the matrix is saved as NAME.incomplete.json, and the exit code is 6.");
+  options.example("etendue solve scenes/furnace/scene.json --output furnace.png");
+  options.example("etendue solve scenes/furnace/scene.json --solver eigen --json --output furnace-eigen.png");
+}
+
+/// Everything up to the radiosities; when stopped, the report has no solution.
+Result<SolveReport> solved(const Request& request, std::ostream& err) {
+  SolveReport report;
+  auto file = read_scene(request.scene);
+  if (!file) return file.error();
+  report.file = std::move(file).value();
+  report.scene_path = request.scene;
+  report.solver = request.solver;
+  report.tolerance.obstructed = {request.tolerance, request.tolerance * 1e-3};
+  auto mesh = mesh_elements(report.file.scene);
+  if (!mesh) return Error{mesh.error().code, request.scene.string() + ": " + mesh.error().message};
+  report.mesh = std::move(mesh).value();
+  {
+    Progress progress(err, "form factors", request.common);
+    report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));
+  }
+  if (!report.matrix.complete) return report;
+  report.closure = closure_report(report.matrix);
+  auto solution =
+      solve_scene_radiosity(report.file.scene, report.mesh, report.matrix,
+                            request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination);
+  if (!solution) return solution.error();
+  report.solution = std::move(solution).value();
+  return report;
+}
+
+}  // namespace
+
 int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
-  Options options("solve", "Not built yet.");
+  Request request;
+  Options options("solve", "Solve the radiosity equation of a scene, and show the result.");
+  declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  err << "etendue solve: not built yet\n";
-  return static_cast<int>(ErrorCode::usage);
+  if (!request.common.output.empty()) {
+    const auto writable = check_image_path(request.common.output);
+    if (!writable) return fail(err, writable.error());
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  auto outcome = solved(request, err);
+  if (!outcome) return fail(err, outcome.error());
+  SolveReport report = std::move(outcome).value();
+  if (!request.common.quiet) {
+    for (const std::string& line : left_out(report.file.scene)) err << "etendue solve: left out: " << line << '\n';
+  }
+  if (report.solution) {
+    if (const auto written = write_pictures(report, request); !written) return fail(err, written.error());
+  }
+  report.json = stem(request) + (report.solution ? ".json" : ".incomplete.json");
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (const auto written = write_file(report.json, full_json(report)); !written) return fail(err, written.error());
+  if (request.common.json) {
+    out << summary_json(report);
+  } else if (!request.common.quiet) {
+    print_summary(out, report);
+  }
+  if (report.solution) return 0;
+  err << "etendue solve: stopped; the state of the matrix is in " << report.json.string() << '\n';
+  return static_cast<int>(ErrorCode::stopped);
 }
 
 }  // namespace etendue::cli

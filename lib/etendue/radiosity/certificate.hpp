@@ -24,4 +24,15 @@ struct ResidualBound {
 /// Accuracy  proved, the rounding of r, of the denominator and of the quotient enclosed: NOTES.md §1 and §2
 [[nodiscard]] ResidualBound residual_bound(const RadiositySystem& system, const Eigen::VectorXd& radiosity);
 
+/// The same where each F_ij is known to within factor_bounds(i, j) only: how far B can be from the solution of the
+/// system with the exact form factors.
+///
+///     ‖B − exact B‖∞ ≤ max_i ( |r_i| + ρ_i Σ_j δ_ij |B_j| ) / (1 − ρ_i Σ_j (F_ij + δ_ij))
+///
+/// Contract  sizes fit, δ_ij ≥ 0 finite
+/// Returns   infinity where a row with F + δ cannot be shown to be dominant
+/// Accuracy  proved as far as δ is: NOTES.md §3
+[[nodiscard]] ResidualBound residual_bound(const RadiositySystem& system, const Eigen::VectorXd& radiosity,
+                                           const Eigen::MatrixXd& factor_bounds);
+
 }  // namespace etendue

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "etendue/assembly/sight.hpp"
+#include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/obstructed.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 
@@ -12,45 +13,69 @@ namespace etendue {
 
 namespace {
 
-struct PairFactor {
-  Bounded factor;
-  Sight sight;
+struct RowReport {
+  PairCounts pairs;
+  ReciprocityReport reciprocity;
 };
 
-PairFactor pair_factor(const ElementMesh& mesh, const SightMap& sights, const AssemblyTolerance& tolerance,
-                       std::size_t i, std::size_t j) {
+// One pair of elements, first and second, seen from either side.
+struct Pair {
+  const Polygon& first;
+  const Polygon& second;
+  std::vector<Polygon> blockers;
+
+  double ratio() const { return first.area() / second.area(); }
+
+  Bounded factor(const Polygon& from, const Polygon& to, const AssemblyTolerance& tolerance) const {
+    return blockers.empty() ? form_factor(from, to, tolerance.free)
+                            : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
+  }
+
+  // From both sides, as a factor of the first; the two are compared in `report`.
+  Bounded checked_factor(const AssemblyTolerance& tolerance, ReciprocityReport& report) const {
+    const Bounded there = factor(first, second, tolerance);
+    Bounded back = factor(second, first, tolerance);
+    back = {back.value / ratio(), back.bound / ratio()};
+    const double difference = std::abs(there.value - back.value);
+    // Two roundings on the way from A_j F_ji to F_ij.
+    const double allowed = there.bound + back.bound + gamma_bound(4) * std::max(there.value, back.value);
+    ++report.pairs;
+    if (difference > allowed) ++report.disagreements;
+    report.defect = std::max(report.defect, difference * std::min(1.0, ratio()));
+    return {std::max(there.value, back.value), std::max({there.bound, back.bound, difference})};
+  }
+};
+
+Bounded pair_factor(const ElementMesh& mesh, const SightMap& sights, const AssemblyTolerance& tolerance, std::size_t i,
+                    std::size_t j, RowReport& report) {
   const SightLine line = sights.between(i, j);
-  const Polygon& from = mesh.elements[i].polygon;
-  const Polygon& to = mesh.elements[j].polygon;
+  Pair pair{mesh.elements[i].polygon, mesh.elements[j].polygon, {}};
   switch (line.sight) {
     case Sight::averted:
+      ++report.pairs.averted;
+      return {0, 0};
     case Sight::blocked:
-      return {{0, 0}, line.sight};
+      ++report.pairs.blocked;
+      return {0, 0};
     case Sight::clear:
-      return {form_factor(from, to, tolerance.free), line.sight};
+      if (report.pairs.clear++ % kCheckedClearPairs == 0) return pair.checked_factor(tolerance, report.reciprocity);
+      return pair.factor(pair.first, pair.second, tolerance);
     case Sight::undecided:
       break;
   }
-  std::vector<Polygon> blockers;
-  for (const std::size_t face : line.blockers) blockers.push_back(mesh.faces[face].polygon);
-  return {obstructed_form_factor(from, to, blockers, tolerance.obstructed), line.sight};
+  ++report.pairs.obstructed;
+  for (const std::size_t face : line.blockers) pair.blockers.push_back(mesh.faces[face].polygon);
+  return pair.checked_factor(tolerance, report.reciprocity);
 }
 
-void count(PairCounts& counts, Sight sight) {
-  switch (sight) {
-    case Sight::averted:
-      ++counts.averted;
-      break;
-    case Sight::clear:
-      ++counts.clear;
-      break;
-    case Sight::blocked:
-      ++counts.blocked;
-      break;
-    case Sight::undecided:
-      ++counts.obstructed;
-      break;
-  }
+void add(RowReport& sum, const RowReport& row) {
+  sum.pairs.averted += row.pairs.averted;
+  sum.pairs.clear += row.pairs.clear;
+  sum.pairs.blocked += row.pairs.blocked;
+  sum.pairs.obstructed += row.pairs.obstructed;
+  sum.reciprocity.pairs += row.reciprocity.pairs;
+  sum.reciprocity.disagreements += row.reciprocity.disagreements;
+  sum.reciprocity.defect = std::max(sum.reciprocity.defect, row.reciprocity.defect);
 }
 
 }  // namespace
@@ -60,30 +85,27 @@ FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTo
   const std::size_t n = mesh.elements.size();
   const auto size = static_cast<Eigen::Index>(n);
   const SightMap sights(mesh);
-  FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, false};
-  std::vector<PairCounts> counts(n);
+  FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, {}, false};
+  std::vector<RowReport> rows(n);
   std::vector<char> done(n, 0);  // not vector<bool>: threads write neighbours
 
   matrix.complete = parallel_for(n, execution, [&](std::size_t row) {
     for (std::size_t column = row + 1; column < n; ++column) {
-      const PairFactor pair = pair_factor(mesh, sights, tolerance, row, column);
-      count(counts[row], pair.sight);
+      const Bounded factor = pair_factor(mesh, sights, tolerance, row, column, rows[row]);
       const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
       const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
-      matrix.factors(i, j) = pair.factor.value;
-      matrix.bounds(i, j) = pair.factor.bound;
-      matrix.factors(j, i) = pair.factor.value * ratio;
-      matrix.bounds(j, i) = pair.factor.bound * ratio;
+      matrix.factors(i, j) = factor.value;
+      matrix.bounds(i, j) = factor.bound;
+      matrix.factors(j, i) = factor.value * ratio;
+      matrix.bounds(j, i) = factor.bound * ratio;
     }
     done[row] = 1;
   });
 
-  for (const PairCounts& row : counts) {
-    matrix.pairs.averted += row.averted;
-    matrix.pairs.clear += row.clear;
-    matrix.pairs.blocked += row.blocked;
-    matrix.pairs.obstructed += row.obstructed;
-  }
+  RowReport sum;
+  for (const RowReport& row : rows) add(sum, row);
+  matrix.pairs = sum.pairs;
+  matrix.reciprocity = sum.reciprocity;
   matrix.row_done.assign(done.begin(), done.end());
   return matrix;
 }
@@ -105,44 +127,6 @@ ClosureReport closure_report(const FormFactorMatrix& matrix) {
     } else if (std::abs(1 - report.row_sums(i)) > report.defect) {
       report.defect = std::abs(1 - report.row_sums(i));
       report.worst = static_cast<std::size_t>(i);
-    }
-  }
-  return report;
-}
-
-ReciprocityReport measure_reciprocity(const ElementMesh& mesh, const AssemblyTolerance& tolerance, std::size_t sample,
-                                      const Execution& execution) {
-  const std::size_t n = mesh.elements.size();
-  const std::size_t step = std::max<std::size_t>(1, n * (n - 1) / 2 / std::max<std::size_t>(1, sample));
-  const SightMap sights(mesh);
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  std::size_t ordinal = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      if (ordinal++ % step == 0) pairs.emplace_back(i, j);
-    }
-  }
-  struct Defect {
-    bool seen = false;
-    double defect = 0, allowed = 0;
-  };
-  std::vector<Defect> defects(pairs.size());
-  parallel_for(pairs.size(), execution, [&](std::size_t k) {
-    const auto [i, j] = pairs[k];
-    const PairFactor there = pair_factor(mesh, sights, tolerance, i, j);
-    if (there.sight == Sight::averted || there.sight == Sight::blocked) return;
-    const PairFactor back = pair_factor(mesh, sights, tolerance, j, i);
-    const double a_i = mesh.elements[i].polygon.area(), a_j = mesh.elements[j].polygon.area();
-    const double larger = std::max(a_i, a_j);
-    defects[k] = {true, std::abs(a_i * there.factor.value - a_j * back.factor.value) / larger,
-                  (a_i * there.factor.bound + a_j * back.factor.bound) / larger};
-  });
-  ReciprocityReport report;
-  for (const Defect& defect : defects) {
-    report.pairs += defect.seen;
-    if (defect.defect > report.defect) {
-      report.defect = defect.defect;
-      report.allowed = defect.allowed;
     }
   }
   return report;

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "etendue/assembly/scene_radiosity.hpp"
+#include "etendue/io/scene_reader.hpp"
+#include "etendue/view/vertex_radiosity.hpp"
+
+namespace etendue::cli {
+
+/// Everything that `etendue solve` found out.
+struct SolveReport {
+  SceneFile file;
+  std::filesystem::path scene_path;
+  std::string solver;
+  AssemblyTolerance tolerance;
+  ElementMesh mesh;
+  FormFactorMatrix matrix;
+  ClosureReport closure;
+  std::optional<SceneRadiosity> solution;  ///< nothing when stopped
+  VertexRadiosities vertices;
+  double exposure = 0;
+  double seconds = 0;
+  std::filesystem::path exr, png, json;
+};
+
+/// The summary as a person reads it.
+void print_summary(std::ostream& out, const SolveReport& report);
+
+/// The summary as a machine reads it: one JSON object, numbers to the last bit.
+[[nodiscard]] std::string summary_json(const SolveReport& report);
+
+/// Summary and every element: object, patch, centroid, area, normal, emission, radiosity, row sum. When stopped, which
+/// rows of the matrix are done instead of radiosities.
+[[nodiscard]] std::string full_json(const SolveReport& report);
+
+}  // namespace etendue::cli

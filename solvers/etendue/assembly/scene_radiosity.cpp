@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/assembly/scene_radiosity.hpp"
+
+#include <string>
+#include <utility>
+
+#include "etendue/radiosity/certificate.hpp"
+
+namespace etendue {
+
+RadiositySystem radiosity_system(const Scene& scene, const ElementMesh& mesh, const Eigen::MatrixXd& form_factors,
+                                 Eigen::Index channel) {
+  const auto n = static_cast<Eigen::Index>(mesh.elements.size());
+  RadiositySystem system{form_factors, Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Element& element = mesh.elements[static_cast<std::size_t>(i)];
+    const Material& material = scene.materials[mesh.face_of(element).material];
+    system.reflectance(i) = material.rho(channel);
+    system.emission(i) = material.emission(channel);
+  }
+  return system;
+}
+
+Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMesh& mesh,
+                                             const FormFactorMatrix& matrix, DirectSolver solver) {
+  require(matrix.complete, "solve_scene_radiosity: all form factors are there");
+  static constexpr const char* kChannels[] = {"red", "green", "blue"};
+  const std::size_t n = mesh.elements.size();
+  Eigen::VectorXd areas(static_cast<Eigen::Index>(n));
+  const double square_metres = scene.metres_per_unit * scene.metres_per_unit;
+  for (std::size_t i = 0; i < n; ++i) {
+    areas(static_cast<Eigen::Index>(i)) = mesh.elements[i].polygon.area() * square_metres;
+  }
+  SceneRadiosity result{std::vector<Rgb>(n, Rgb::Zero()), {}};
+  for (Eigen::Index channel = 0; channel < 3; ++channel) {
+    const auto c = static_cast<std::size_t>(channel);
+    const RadiositySystem system = radiosity_system(scene, mesh, matrix.factors, channel);
+    auto solved = solve_radiosity(system, solver);
+    if (!solved) return Error{solved.error().code, std::string(kChannels[c]) + " channel: " + solved.error().message};
+    const Eigen::VectorXd& radiosity = solved->radiosity;
+    for (std::size_t i = 0; i < n; ++i) result.radiosity[i](channel) = radiosity(static_cast<Eigen::Index>(i));
+    const double with_factors = residual_bound(system, radiosity, matrix.bounds).bound;
+    const PowerBalance balance = power_balance(system, areas, radiosity);
+    result.channels[c] = {std::move(solved).value(), with_factors, balance};
+  }
+  return result;
+}
+
+}  // namespace etendue
