@@ -10,7 +10,7 @@ namespace etendue {
 
 /// Lambert's factor from a differential element to a polygon: the fraction of the element's power that arrives there.
 ///
-///     F = (1/2π) Σ_i γ_i n · (b_i × a_i)/|b_i × a_i|                                          @eq IU.6-2
+///     F = (1/2π) Σ_i γ_i n · (b_i × a_i)/|b_i × a_i|                                          @eq IU.6-2, IU.6-10
 ///
 /// Symbols   n the element's normal, a_i, b_i the ends of edge i seen from the element [length]; γ_i the angle between
 ///           them [rad]
