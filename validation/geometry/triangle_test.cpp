@@ -62,7 +62,7 @@ TEST(Triangle, DecidesAsExactArithmetic) {
   for (const Family family :
        {Family::general, Family::aimed_at_edges, Family::aimed_at_corners, Family::degenerate, Family::nudged}) {
     std::uint64_t mismatches = 0, on_edge = 0, doubtful = 0, hits = 0;
-    constexpr std::uint64_t kCases = 8'000;
+    constexpr std::uint64_t kCases = 4'000;
     for (std::uint64_t i = 0; i < kCases;) {
       const bool grid = family == Family::degenerate || family == Family::nudged;
       const Case c = grid ? gridded(family, random) : aimed(family, random);
