@@ -83,8 +83,8 @@ TEST(Plane, RejectsParallelBehindAndFarther) {
 TEST(Plane, RefusesBrokenInput) {
   proves({"IU.5-12"}, Oracle::identity, "documented preconditions");
   const Plane floor{Vec3::Zero(), Vec3::UnitZ()}, wrong{Vec3::Zero(), Vec3(0, 0, 2)};
-  EXPECT_THROW((void)intersect(ray_from({0, 0, 1}, Vec3::Zero()), floor), ContractViolation);
-  EXPECT_THROW((void)intersect(ray_from({0, 0, 1}, {0, 0, -1}), wrong), ContractViolation);
+  EXPECT_TRUE(refuses([&] { (void)intersect(ray_from({0, 0, 1}, Vec3::Zero()), floor); }));
+  EXPECT_TRUE(refuses([&] { (void)intersect(ray_from({0, 0, 1}, {0, 0, -1}), wrong); }));
 }
 
 // CLAIM      IU.5.0: a disc is hit where its plane is, within the radius.

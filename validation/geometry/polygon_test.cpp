@@ -128,8 +128,8 @@ TEST(Polygon, DiamondAroundTheOriginContainsIt) {
     const bool crosses = (p.y() >= 0) != (q.y() >= 0);
     mended += crosses && p.x() - p.y() * (q.x() - p.x()) / (q.y() - p.y()) > 0;
   }
-  EXPECT_EQ(printed, 2) << "even: outside";
-  EXPECT_EQ(mended, 1) << "odd: inside";
+  EXPECT_TRUE(near(printed, 2, 0)) << "even: outside";
+  EXPECT_TRUE(near(mended, 1, 0)) << "odd: inside";
   EXPECT_TRUE(encloses(lifted(diamond), Vec3::Zero(), 2));
 }
 
@@ -149,7 +149,7 @@ TEST(Polygon, NormalIsNewells) {
     reversed += naive.z() < 0;
     const auto polygon = Polygon::make(vertices);
     ASSERT_TRUE(polygon) << polygon.error().message;
-    EXPECT_EQ(polygon->normal(), Vec3(0, 0, 1));
+    EXPECT_TRUE(holds(polygon->normal() == Vec3(0, 0, 1)));
   }
   EXPECT_GT(reversed, 0) << "the naive normal must fail somewhere";
   const std::vector<Vec3> straight = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -272,7 +272,7 @@ bool names(const std::string& message, const std::string& what) {
 TEST(Polygon, RefusesWhatIsNoPolygon) {
   proves({"R6", "RT.11"}, Oracle::closed_form, "flaws made by hand");
   const double inf = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(refusal(lifted(kComb)), "accepted");
+  EXPECT_TRUE(holds(refusal(lifted(kComb)) == "accepted"));
   EXPECT_PRED2(names, refusal({{0, 0, 0}, {1, 0, 0}}), "has 2 vertices");
   EXPECT_PRED2(names, refusal({{0, 0, 0}, {1, inf, 0}, {0, 1, 0}}), "vertex 1 = (1, inf, 0) is not finite");
   EXPECT_PRED2(names, refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}), "vertices 3 and 0 coincide at (0, 0, 0)");
@@ -289,7 +289,7 @@ TEST(Polygon, RefusesWhatIsNoPolygon) {
   Random random(605);
   for (int i = 0; i < 100; ++i) {
     const auto vertices = moved(star(8, random), random.rotation(), random.in_cube(1e6));
-    EXPECT_EQ(refusal(vertices), "accepted");
+    EXPECT_TRUE(holds(refusal(vertices) == "accepted"));
   }
   EXPECT_PRED2(names, refusal({{0.333333, 0.666667, 0.111111}, {1, 0, 0.123457}, {1.5, 1.5, 0}, {0, 2, 0.1}}),
                "off the plane");

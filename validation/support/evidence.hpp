@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "etendue/core/contract.hpp"
+
 // What a test proves, and how far from failing it was. The runner joins this with the register of claims.
 namespace etendue::validation {
 
@@ -42,6 +44,17 @@ void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_
 
 /// No mismatch in `decisions` yes/no decisions; zero decisions fail: a check of nothing proves nothing.
 ::testing::AssertionResult all_agree(std::uint64_t mismatches, std::uint64_t decisions);
+
+/// One decision: `call` breaks a contract and is told so.
+template <class Call>
+::testing::AssertionResult refuses(Call&& call) {
+  try {
+    call();
+  } catch (const ContractViolation&) {
+    return holds(true);
+  }
+  return holds(false) << "no ContractViolation";
+}
 
 /// Notes the seed of a random family in the report, so that the run can be repeated.
 void uses_seed(std::uint64_t seed);
