@@ -87,6 +87,7 @@ RayBoxTest::RayBoxTest(const Ray& ray)
       reach_(ray.origin.lpNorm<Eigen::Infinity>()) {}
 
 bool RayBoxTest::meets(const Aabb& box, double t_max) const {
+  if (box.empty()) return false;
   const double far_corner = std::max(box.low.lpNorm<Eigen::Infinity>(), box.high.lpNorm<Eigen::Infinity>());
   const double margin = kMargin * (reach_ + far_corner);
   double first = t_min_, last = t_max;

@@ -24,7 +24,16 @@ struct Aabb {
 [[nodiscard]] Aabb united(const Aabb& a, const Aabb& b);
 [[nodiscard]] Aabb united(const Aabb& a, const Vec3& point);
 
-/// A box that contains every point of the shape and every Hit::point on it: rounded outward, proved (NOTES.md §8).
+/// A box that contains every point of the shape and every Hit::point on it.                          @eq IU.5.7.1
+///
+/// A ray may hit a triangle over its edge, by kTriangleShift of its distance (triangle.hpp): such a point may lie
+/// outside of the bounds by as much. RayBoxTest knows and does not lose the hit.
+///
+/// Domain    any shape; planes have no bounds
+/// Returns   wider than the tight box by at most 2^-46 of the largest coordinate, and 2^-24 radii for discs and
+/// cylinders,
+///           2^-39 extents for polygons (twice kPlanarity); the empty box for a mesh without triangles
+/// Accuracy  rounded outward, proved (NOTES.md §8)
 [[nodiscard]] Aabb bounds(const Sphere& sphere);
 [[nodiscard]] Aabb bounds(const Disc& disc);
 [[nodiscard]] Aabb bounds(const Cylinder& cylinder);
@@ -33,8 +42,13 @@ struct Aabb {
 [[nodiscard]] Aabb bounds(const Polygon& polygon);
 [[nodiscard]] Aabb bounds(const Mesh& mesh);
 
-/// Slab test of one ray against many boxes. Conservative: where intersect(ray, shape) hits, meets(bounds(shape)) is
-/// true. Source    Ize 2013, Robust BVH Ray Traversal
+/// Slab test of one ray against many boxes.
+///
+/// Accuracy  conservative, proved (NOTES.md §8): where intersect(ray, shape) hits, meets(bounds(shape), t_max) is true
+/// for
+///           every t_max above the hit's t. The slabs are widened by 2^-48 of the coordinates, the far ends by 1 + 2γ_3
+/// Domain    a direction other than zero; an empty box is never met
+/// Source    Ize 2013, Robust BVH Ray Traversal
 class RayBoxTest {
  public:
   explicit RayBoxTest(const Ray& ray);
