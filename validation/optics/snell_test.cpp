@@ -22,7 +22,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 constexpr double kAngleRounding = 8 * u;
 
 // CLAIM      IU.4-6, IU.5-6: η1 sin θ = η2 sin θ', the refracted ray stays in the plane of incidence and on the far
-// side. ORACLE     identity: the tangential part of δ, scaled by η, is the tangential part of T, in random frames.
+//            side. ORACLE identity: the tangential part of δ, scaled by η, is the tangential part of T, in random
+//            frames.
 // TOLERANCE  refraction_error(eta) for T; 5 u (1 + eta) for the two cross products of unit vectors.
 TEST(Snell, KeepsTheScaledTangentialPart) {
   proves({"IU.4-6", "IU.5-6"}, Oracle::identity, "η δ × s = T × s");
@@ -159,8 +160,7 @@ TEST(Refract, IsTheSameForBothSidesOfTheNormal) {
 }
 
 // CLAIM      E11: when the ray leaves the solid, N must flip in 5-7: V = (.2, 0, −.98) in glass gives T_z = −0.954 as
-// printed
-//            (back into the glass) and +0.954 mended. In 5-5 the flip does nothing.
+//            printed (back into the glass) and +0.954 mended. In 5-5 the flip does nothing.
 // ORACLE     closed form: sin θ' = 1.5 · .2/|V|, T_z its cosine.
 // TOLERANCE  refraction_error(1.5) and the rounding of V: a change of sin θ by u is one of T_z by η² tan θ u < u.
 TEST(Refract, LeavesASolidWithTheOutwardNormal) {
@@ -205,8 +205,7 @@ TEST(Refract, GoesStraightOnAtNormalIncidence) {
 }
 
 // CLAIM      R2, G7, IU.5.3tir: 60° from dense to thin has the radicand −0.6875: NaN as printed, no ray in the code;
-// the light
-//            is reflected instead.
+//            the light is reflected instead.
 // ORACLE     exact: 1 − 2.25 · 0.75.
 // TOLERANCE  none for the decision; reflection_error() and kInputRounding five times for the mirrored direction.
 TEST(Refract, ReturnsNothingOnTotalInternalReflection) {

@@ -25,9 +25,8 @@ TEST(LinearAttenuation, IsTheReciprocalOfTheShiftedDistance) {
   }
 }
 
-// CLAIM      G3: where d + d0 < 1 the printed factor amplifies (5 for d = d0 = 0.1); the code stays at 1, continuously,
-// and
-//            never grows with the distance.
+// CLAIM      G3: where d + d0 < 1 the printed factor amplifies (5 for d = d0 = 0.1); the code stays at 1,
+//            continuously, and never grows with the distance.
 // ORACLE     identity: no surface returns more than it is given; the factor is monotone.
 // TOLERANCE  none.
 TEST(LinearAttenuation, NeverAmplifies) {
@@ -48,9 +47,8 @@ TEST(LinearAttenuation, NeverAmplifies) {
   EXPECT_TRUE(all_agree(rises, 1024));
 }
 
-// CLAIM      IU.2.6a: irradiance is Φ/(4πd²): all spheres around the source receive its whole power, and a source of Φ
-// has the
-//            intensity Φ/4π.
+// CLAIM      IU.2.6a: irradiance is Φ/(4πd²): all spheres around the source receive its whole power, and a source of
+//            Φ has the intensity Φ/4π.
 // ORACLE     identity: E times the sphere's area.
 // TOLERANCE  4.1 u of the irradiance, and 4 u for the area and the product of the check.
 TEST(InverseSquareLaw, CarriesThePowerThroughEverySphere) {
@@ -66,8 +64,7 @@ TEST(InverseSquareLaw, CarriesThePowerThroughEverySphere) {
 }
 
 // CLAIM      E7: "proportionally to the square of the distance" would give 4 at d = 2, where it is 0.25; and I_p/4πd²
-// with I_p
-//            taken for an intensity is 4π too small.
+//            with I_p taken for an intensity is 4π too small.
 // ORACLE     exact for the powers of two; closed form for the factor.
 // TOLERANCE  none; 4.1 u and one rounding for the factor 4π.
 TEST(InverseSquareLaw, FallsWithTheSquare) {

@@ -48,9 +48,9 @@ TEST(Overflow, IsTreatedOnlyWhereThereIsAny) {
   EXPECT_TRUE(all_agree(mismatches, 6000));
 }
 
-// CLAIM      IU.2.8: scaling the image by its maximum keeps the ratios between all its values; limiting each value does
-// not, and
-//            flattens a slope into a band: on a linear ramp it makes a kink of the full slope, scaling makes none.
+// CLAIM      IU.2.8: scaling the image by its maximum keeps the ratios between all its values; limiting each value
+//            does not, and flattens a slope into a band: on a linear ramp it makes a kink of the full slope, scaling
+//            makes none.
 // ORACLE     identity: second differences of a linear ramp vanish; dyadic ramp.
 // TOLERANCE  2 u for the roundings of scaled values below one; the kink of the limited ramp exactly.
 TEST(Overflow, ScalingTheImageMakesNoMachBand) {
@@ -70,8 +70,7 @@ TEST(Overflow, ScalingTheImageMakesNoMachBand) {
 }
 
 // CLAIM      IU.2.9: dividing a pixel by its largest channel keeps hue and saturation and changes the brightness;
-// limiting
-//            changes the hue.
+//            limiting changes the hue.
 // ORACLE     identity: hue and saturation are functions of the ratios between channels; dyadic example.
 // TOLERANCE  none for the example; two roundings for the ratios.
 TEST(Overflow, ScalingAPixelKeepsHueAndSaturation) {
@@ -99,9 +98,8 @@ TEST(Overflow, RefusesWhatIsNoIntensity) {
   EXPECT_TRUE(all_agree(mismatches, 7));
 }
 
-// CLAIM      IU.4.4b: transparency goes from t_min at the silhouette to t_max head-on, linearly or as 1 − (1 − n_z)^m;
-// it rises
-//            with n_z; m = 1 is the linear form, and for m = 2 and 3 the polynomial.
+// CLAIM      IU.4.4b: transparency goes from t_min at the silhouette to t_max head-on, linearly or as 1 − (1 −
+//            n_z)^m; it rises with n_z; m = 1 is the linear form, and for m = 2 and 3 the polynomial.
 // ORACLE     closed form: the polynomials written out.
 // TOLERANCE  3.1 u linear, (6 + m) u else, and 6 u for the polynomial of the check.
 TEST(Transparency, FallsTowardsTheSilhouette) {
@@ -124,8 +122,7 @@ TEST(Transparency, FallsTowardsTheSilhouette) {
 }
 
 // CLAIM      IU.4.4a, E4: used as printed, t I_f + (1 − t) I_b with the t of the vase lets 0.8 through at the
-// silhouette and 0.1 in
-//            the middle, for t_min = 0.2, t_max = 0.9: reversed. Mended: 0.2 and 0.9.
+//            silhouette and 0.1 in the middle, for t_min = 0.2, t_max = 0.9: reversed. Mended: 0.2 and 0.9.
 // ORACLE     closed form: a black front before a white back shows what passes.
 // TOLERANCE  u for the printed differences; 3.1 u of see_through() and 3.1 u of transparency().
 TEST(Transparency, IsNotOpacity) {
@@ -139,9 +136,9 @@ TEST(Transparency, IsNotOpacity) {
   EXPECT_TRUE(within(difference(see_through(black, white, transparency(1, vase)), Rgb::Constant(0.9)), 6.2 * u));
 }
 
-// CLAIM      IU.4.4a, E10: what refracts is the front polygon: its transparency counts. Before an opaque back (t_b = 0)
-// a
-//            perfectly clear front (t_f = 1) shows the back; with t_b in its place, as printed, it would hide it.
+// CLAIM      IU.4.4a, E10: what refracts is the front polygon: its transparency counts. Before an opaque back (t_b =
+//            0) a perfectly clear front (t_f = 1) shows the back; with t_b in its place, as printed, it would hide
+//            it.
 // ORACLE     exact: dyadic mixtures.
 // TOLERANCE  none.
 TEST(Transparency, IsThatOfTheFrontObject) {

@@ -38,9 +38,8 @@ TEST(Ambient, ReturnsItsShareOfTheGeneralLight) {
     EXPECT_TRUE(within(difference(local_reflection(surface, random.unit(), random.unit(), light, {}), expected), 0));
 }
 
-// CLAIM      IU.2-2, IU.2-3, IU.2-4, IU.2-5, IU.2-6, IU.2-7, IU.2.8, IU.2.9: the whole model per channel, with several
-// lights,
-//            equals the formula written from angles; a light behind adds nothing.
+// CLAIM      IU.2-2, IU.2-3, IU.2-4, IU.2-5, IU.2-6, IU.2-7, IU.2.8, IU.2.9: the whole model per channel, with
+//            several lights, equals the formula written from angles; a light behind adds nothing.
 // ORACLE     closed form from the angles θ_i and φ_i with which the vectors were made.
 // TOLERANCE  per light: lambert 8 u and phong_error(n) with 8 u n for placing the vectors, times intensities below 4.
 TEST(LocalReflection, IsTheFormulaOfTheAnglesSummedOverTheLights) {
@@ -90,9 +89,8 @@ TEST(LocalReflection, LeavesTheHighlightUncoloured) {
   EXPECT_TRUE(within(difference(glossy - matt, Rgb(0.8, 0.4, 0.2)), phong_error(20) + 8 * u));
 }
 
-// CLAIM      E2: with k_d in front of the whole sum, as 5-2 prints it, a black glossy surface (k_d = 0, k_s = 0.9) has
-// no
-//            highlight; as in 2-7 it has 0.9.
+// CLAIM      E2: with k_d in front of the whole sum, as 5-2 prints it, a black glossy surface (k_d = 0, k_s = 0.9)
+//            has no highlight; as in 2-7 it has 0.9.
 // ORACLE     closed form at V = R.
 // TOLERANCE  phong_error(n).
 TEST(LocalReflection, GivesABlackGlossySurfaceItsHighlight) {
@@ -107,9 +105,8 @@ TEST(LocalReflection, GivesABlackGlossySurfaceItsHighlight) {
   EXPECT_TRUE(within(difference(mended, Rgb(0.9, 0.9, 0.9)), phong_error(50)));
 }
 
-// CLAIM      E3: R must be the mirror direction of each light. Taken as that of V, a light at 89° makes a highlight of
-// 1 where
-//            there is one of 1.2e-88 (viewer on the normal, n = 50).
+// CLAIM      E3: R must be the mirror direction of each light. Taken as that of V, a light at 89° makes a highlight
+//            of 1 where there is one of 1.2e-88 (viewer on the normal, n = 50).
 // ORACLE     closed form: cos⁵⁰ 89°.
 // TOLERANCE  relative: n times the angle's rounding over cos 89°, 50 · 8 u / 0.017.
 TEST(LocalReflection, MirrorsEachLightOfItsOwn) {

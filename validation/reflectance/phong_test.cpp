@@ -35,9 +35,8 @@ TEST(Lambert, IsNotTheAngle) {
   EXPECT_TRUE(near(lambert(n, l), 0.5, lambert_error() + kInputRounding));
 }
 
-// CLAIM      G1: the printed k_d I_p (N·L) takes light away where the source is behind: −0.2 at 120° for k_d = 0.4. The
-// code
-//            gives nothing there.
+// CLAIM      G1: the printed k_d I_p (N·L) takes light away where the source is behind: −0.2 at 120° for k_d = 0.4.
+//            The code gives nothing there.
 // ORACLE     closed form: cos 120° = −1/2.
 // TOLERANCE  none for the clamp; the rounding of the input for the printed form.
 TEST(Lambert, IsZeroForALightBehindTheSurface) {
@@ -49,9 +48,8 @@ TEST(Lambert, IsZeroForALightBehindTheSurface) {
       all_agree(accepted([&] { return lambert(2 * n, behind); }) + accepted([&] { return lambert(n, 0.5 * n); }), 2));
 }
 
-// CLAIM      IU.2.7.1, IU.2-6, IU.2-7: the lobe is cosⁿ φ with φ between R and V, for n from 1 to 200, at any place of
-// the
-//            light and the viewer, and next to the lobe's peak and foot.
+// CLAIM      IU.2.7.1, IU.2-6, IU.2-7: the lobe is cosⁿ φ with φ between R and V, for n from 1 to 200, at any place
+//            of the light and the viewer, and next to the lobe's peak and foot.
 // ORACLE     the power of R·V at 600 bits.
 // TOLERANCE  phong_error(n).
 TEST(Phong, IsThePowerOfTheCosine) {
@@ -69,8 +67,7 @@ TEST(Phong, IsThePowerOfTheCosine) {
 }
 
 // CLAIM      IU.2.7, E9: the directed reflection peaks at V = R, is the same all round R ("centred on R"), and falls
-// away from it;
-//            the duller, the wider: half of the peak is reached at cos φ = 2^(−1/n).
+//            away from it; the duller, the wider: half of the peak is reached at cos φ = 2^(−1/n).
 // ORACLE     closed form: cosⁿ φ in coordinates around R.
 // TOLERANCE  phong_error(n), and n times the 8 u with which the viewer is placed.
 TEST(Phong, PeaksAtTheMirrorDirectionAndIsRoundAboutIt) {
@@ -105,9 +102,8 @@ TEST(Phong, BecomesAMirrorForLargeExponents) {
   EXPECT_TRUE(within(phong(n, l, beside, 1e8), 1e-60));
 }
 
-// CLAIM      G2: with an even n the printed (R·V)ⁿ shines where R·V < 0: (−0.5)² = +0.25. The code gives nothing there,
-// nor
-//            for a light behind the surface.
+// CLAIM      G2: with an even n the printed (R·V)ⁿ shines where R·V < 0: (−0.5)² = +0.25. The code gives nothing
+//            there, nor for a light behind the surface.
 // ORACLE     closed form.
 // TOLERANCE  none for the clamps; two roundings of the input for the printed form.
 TEST(Phong, IsZeroOnTheFarSideOfTheLobe) {

@@ -6,7 +6,6 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/optics/radicand.hpp"
-#include "etendue/optics/refract.hpp"
 
 namespace etendue {
 

@@ -14,7 +14,7 @@ constexpr double reflection_error() {
 
 /// Direction of the ray that a mirror sends on.
 ///
-///     ρ = δ − 2 (δ·s) s                                                                      @eq RT.16
+///     ρ = δ − 2 (δ·s) s                                                               @eq RT.16, RT.19
 ///     R = 2 N' − V,  N' = N (N·V)     with V = −δ, N = s                              @eq IU.5-3, IU.5-4, IU.5-5
 ///
 /// Symbols   δ incident direction, travelling towards the surface; s unit normal; V = −δ towards the viewer

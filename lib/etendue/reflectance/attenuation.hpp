@@ -20,9 +20,8 @@ namespace etendue {
 ///
 ///     E = Φ / (4 π d²)                                                                        @eq IU.2.6a
 ///
-/// Symbols   Φ power [W]; d distance [m], > 0; E irradiance [W/m²]. It falls with the square of the distance, and Φ is
-/// a
-///           power; where 2-2 takes I_p it means an irradiance, 4 π d² smaller (E7)
+/// Symbols   Φ power [W]; d distance [m], > 0; E irradiance [W/m²]. It falls with the square of the distance, and Φ
+///           is a power; where 2-2 takes I_p it means an irradiance, 4 π d² smaller (E7)
 /// Accuracy  relative error of at most 4.1 u
 /// Errors    ContractViolation unless power is not negative, distance positive, both finite, and d² a normal number
 [[nodiscard]] double irradiance_of_power(double power, double distance);

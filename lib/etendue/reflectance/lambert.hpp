@@ -16,8 +16,7 @@ constexpr double lambert_error() {
 ///     cos θ = max(0, N·L);   I = k_d I_p cos θ                                               @eq IU.2-2, IU.2-3
 ///
 /// Symbols   N unit normal on the viewed side; L unit vector towards the light; θ between them (the product is its
-/// cosine,
-///           not the angle: E8)
+///           cosine, not the angle: E8)
 /// Domain    unit vectors (kUnitTolerance)
 /// Returns   N·L, or 0 for a light behind the surface, which the printed formula would subtract (G1)
 /// Accuracy  lambert_error() against the scalar product of the given vectors, proved

@@ -23,7 +23,7 @@ struct IncidentLight {
   double attenuation = 1;                             ///< f of linear_attenuation(); 0 for a light that is hidden
 };
 
-/// The local model of illumination: ambient + diffuse + directed reflection, summed over the lights.
+/// The local model of illumination: ambient + diffuse + directed reflection, summed over the lights.   @eq IU.2.2
 ///
 ///     I = k_a I_a + Σ_i I_p,i f_i [k_d (N·L_i) + k_s (R_i·V)ⁿ]     @eq IU.2-4, IU.2-5, IU.2-6, IU.2-7, IU.2.8, IU.2.9
 ///

@@ -17,9 +17,8 @@ constexpr double phong_error(double exponent) {
 ///     cosⁿ φ = max(0, R·V)ⁿ,   R = 2 N (N·L) − L                          @eq IU.2.7, IU.2.7.1, IU.2-6, IU.2-7
 ///
 /// Symbols   N unit normal on the viewed side; L, V unit vectors towards the light and the viewer; φ angle between V
-/// and
-///           R, the mirror direction of this light (one for each light: E3); n from 1 (dull) to 200 (glossy), a mirror
-///           for n → ∞
+///           and R, the mirror direction of this light (one for each light: E3); n from 1 (dull) to 200 (glossy), a
+///           mirror for n → ∞
 /// Domain    unit vectors (kUnitTolerance); exponent ≥ 1, finite
 /// Returns   value in [0, 1], greatest at V = R. 0 for a light behind the surface, and 0 for φ ≥ 90°, where an even
 ///           power of the negative cosine would shine (G2)

@@ -35,8 +35,7 @@ struct TransparencyRange {
 ///     I = (1 − t) I_f + t I_b                                                                 @eq IU.4.4a
 ///
 /// Symbols   I_f, I_b intensities of the front and the back object, per channel; t transparency of the front object,
-/// the
-///           one that refracts (E10). The text prints t I_f + (1 − t) I_b with t = 1 opaque, and then uses t as a
+///           the one that refracts (E10). The text prints t I_f + (1 − t) I_b with t = 1 opaque, and then uses t as a
 ///           transparency: its silhouettes would be the clearest parts (E4)
 /// Accuracy  absolute error of at most 3.1 u max(I_f, I_b)
 /// Errors    ContractViolation unless t is in [0, 1]
