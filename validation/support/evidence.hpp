@@ -45,6 +45,9 @@ void proves(std::initializer_list<const char*> claims, Oracle kind, std::string_
 /// No mismatch in `decisions` yes/no decisions; zero decisions fail: a check of nothing proves nothing.
 ::testing::AssertionResult all_agree(std::uint64_t mismatches, std::uint64_t decisions);
 
+/// One yes-or-no decision: a refusal, an equality, a miss. Short for all_agree over a single decision.
+::testing::AssertionResult holds(bool decision);
+
 /// One decision: `call` breaks a contract and is told so.
 template <class Call>
 ::testing::AssertionResult refuses(Call&& call) {
@@ -58,9 +61,6 @@ template <class Call>
 
 /// Notes the seed of a random family in the report, so that the run can be repeated.
 void uses_seed(std::uint64_t seed);
-
-/// One yes-or-no decision: a refusal, an equality, a miss. Short for all_agree over a single decision.
-::testing::AssertionResult holds(bool decision);
 
 /// What one test left behind.
 struct Evidence {
