@@ -17,18 +17,23 @@ namespace {
 /// A quadrilateral as the bilinear image of [−1, 1]²; its signed Jacobian counts windings, so concave ones count right.
 struct Quadrilateral {
   std::array<Vec3, 4> corners;
-  double half_edge;  ///< largest |∂x/∂s|, |∂x/∂t|
-  double jacobian;   ///< largest |∂x/∂s × ∂x/∂t|
 };
 
-Quadrilateral quadrilateral(const std::array<Vec3, 4>& c) {
-  Quadrilateral q{c, 0, 0};
+/// What the truncation needs of all quadrilaterals of a loop.
+struct Shape {
+  std::array<double, 2> half_edge{};  ///< largest |∂x/∂s|, |∂x/∂t|
+  double jacobians = 0;               ///< sum of the largest |∂x/∂s × ∂x/∂t|
+};
+
+void include(const Quadrilateral& q, Shape& shape) {
+  const auto& c = q.corners;
+  shape.half_edge[0] = std::max({shape.half_edge[0], 0.5 * (c[1] - c[0]).norm(), 0.5 * (c[2] - c[3]).norm()});
+  shape.half_edge[1] = std::max({shape.half_edge[1], 0.5 * (c[3] - c[0]).norm(), 0.5 * (c[2] - c[1]).norm()});
+  double jacobian = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec3 forward = c[(i + 1) % 4] - c[i], backward = c[(i + 3) % 4] - c[i];
-    q.half_edge = std::max(q.half_edge, 0.5 * forward.norm());
-    q.jacobian = std::max(q.jacobian, 0.25 * forward.cross(backward).norm());
+    jacobian = std::max(jacobian, 0.25 * (c[(i + 1) % 4] - c[i]).cross(c[(i + 3) % 4] - c[i]).norm());
   }
-  return q;
+  shape.jacobians += jacobian;
 }
 
 /// A fan around the first vertex, two triangles at a time.
@@ -36,40 +41,30 @@ std::vector<Quadrilateral> quadrilaterals(const std::vector<Vec3>& v) {
   std::vector<Quadrilateral> result;
   for (std::size_t i = 1; i + 1 < v.size(); i += 2) {
     const Vec3& last = i + 2 < v.size() ? v[i + 2] : v[0];
-    result.push_back(quadrilateral({v[0], v[i], v[i + 1], last}));
+    result.push_back({{v[0], v[i], v[i + 1], last}});
   }
   return result;
 }
 
-struct WeightedPoint {
+/// A node on the bilinear surface, and the piece of surface it stands for: the flux through any surface with the same
+/// boundary is the same, so vertices that rounding moved off their plane do no harm.
+struct SurfacePoint {
   Vec3 point;
-  double weight;
+  Vec3 area;
 };
 
-void append_points(const Quadrilateral& q, const Vec3& normal, int n, std::vector<WeightedPoint>& points) {
+void append_points(const Quadrilateral& q, const std::array<int, 2>& n, std::vector<SurfacePoint>& points) {
   const auto& c = q.corners;
-  for (const QuadratureNode& s : gauss_legendre(n)) {
-    for (const QuadratureNode& t : gauss_legendre(n)) {
+  for (const QuadratureNode& s : gauss_legendre(n[0])) {
+    for (const QuadratureNode& t : gauss_legendre(n[1])) {
       const Vec3 along_s = 0.25 * ((1 - t.x) * (c[1] - c[0]) + (1 + t.x) * (c[2] - c[3]));
       const Vec3 along_t = 0.25 * ((1 - s.x) * (c[3] - c[0]) + (1 + s.x) * (c[2] - c[1]));
       const Vec3 point = c[0] +
                          (1 + s.x) * 0.5 * ((1 - 0.5 * (1 + t.x)) * (c[1] - c[0]) + 0.5 * (1 + t.x) * (c[2] - c[3])) +
                          0.5 * (1 + t.x) * (c[3] - c[0]);
-      points.push_back({point, along_s.cross(along_t).dot(normal) * s.weight * t.weight});
+      points.push_back({point, (s.weight * t.weight) * along_s.cross(along_t)});
     }
   }
-}
-
-struct Ball {
-  Vec3 centre;
-  double radius;
-};
-
-Ball enclosing_ball(const std::vector<Vec3>& points) {
-  Ball ball{Vec3::Zero(), 0};
-  for (const Vec3& p : points) ball.centre += p / static_cast<double>(points.size());
-  for (const Vec3& p : points) ball.radius = std::max(ball.radius, (p - ball.centre).norm());
-  return ball;
 }
 
 /// What the truncation of the tensor rule rests on.
@@ -79,38 +74,62 @@ struct Separation {
   double height_2;  ///< largest height of first above second's plane
 };
 
-/// Truncation of the n-point rule in one variable, the integrand analytic outside the ellipse of `gap` (NOTES.md §4).
-double one_variable(const Separation& apart, double half_edge, double jacobian, int n) {
-  if (half_edge == 0) return 0;
+/// Bounds the truncation of the n-point rule in one variable for a kernel that is analytic outside the ellipse of
+/// `gap`, Jacobian of size one (NOTES.md §4).
+double one_variable(const Separation& apart, double half_edge, int n) {
   const double distance = apart.gap / half_edge;
   const double singular = distance + std::hypot(1, distance);
   const double rho = 1 + (singular - 1) * n / (n + 2.0);
   const double semi_axis = 0.5 * (rho + 1 / rho);
   const double clearance = half_edge * 0.5 * (singular - rho) * (1 - 1 / (singular * rho));
-  const double kernel = apart.height_1 * apart.height_2 * semi_axis * semi_axis / std::pow(clearance, 4);
-  return jacobian * kernel * analytic_truncation(n, rho);
+  const double squared = clearance * clearance;
+  const double kernel = apart.height_1 * apart.height_2 * semi_axis * semi_axis / (squared * squared);
+  return kernel * analytic_truncation(n, rho);
 }
 
-double truncation(const std::vector<Quadrilateral>& from, const std::vector<Quadrilateral>& to, const Separation& apart,
-                  int n) {
-  double total = 0;
-  for (const auto& a : from) {
-    for (const auto& b : to) {
-      // Two variables of each kind; the other three carry weight 2 each.
-      total += 2 * 8 * b.jacobian * one_variable(apart, a.half_edge, a.jacobian, n);
-      total += 2 * 8 * a.jacobian * one_variable(apart, b.half_edge, b.jacobian, n);
+/// Nodes in the two directions of each loop, and the truncation they leave.
+struct Plan {
+  std::array<std::array<int, 2>, 2> nodes{};
+  double truncation = 0;
+  double evaluations = 1;
+};
+
+std::optional<Plan> plan(const std::array<Shape, 2>& shapes, const Separation& apart, double goal, double budget) {
+  constexpr double kOtherVariables = 8;  // three rules of total weight 2 each
+  constexpr double kIntegrand = 2;       // the kernel is 2 cos cos / r²
+  const double weight = kIntegrand * kOtherVariables * shapes[0].jacobians * shapes[1].jacobians;
+  Plan result;
+  for (std::size_t loop = 0; loop < 2; ++loop) {
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+      const double half_edge = shapes[loop].half_edge[direction];
+      // The first guess at the least number of nodes that reaches a quarter of the goal.
+      int n = 2;
+      double truncation = 0;
+      for (;; ++n) {
+        truncation = weight * one_variable(apart, half_edge, n);
+        if (truncation <= 0.25 * goal) break;
+        if (n == kMaxGaussNodes || result.evaluations * (n + 1) > budget) return std::nullopt;
+      }
+      result.nodes[loop][direction] = n;
+      result.truncation += truncation;
+      result.evaluations *= n;
     }
   }
-  return 2 * total;
+  if (result.evaluations > budget) return std::nullopt;
+  return result;
+}
+
+double tilt(const Loop& loop, double extent) {
+  return 8 * loop.flatness * extent / loop.area;
 }
 
 }  // namespace
 
 std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, const Vec3& offset, double goal,
-                                         int max_nodes) {
-  const Ball ball_1 = enclosing_ball(first.vertices), ball_2 = enclosing_ball(second.vertices);
-  Separation apart{(offset + (ball_2.centre - ball_1.centre)).norm() - ball_1.radius - ball_2.radius, 0, 0};
-  if (!(apart.gap > std::max(ball_1.radius, ball_2.radius))) return std::nullopt;
+                                         double budget) {
+  const double radius_1 = radius(first.vertices), radius_2 = radius(second.vertices);
+  Separation apart{least_distance(first, second, offset), 0, 0};
+  if (!(apart.gap > 0)) return std::nullopt;
   const Vec3 base = offset + (second.vertices.front() - first.vertices.front());
   double reach = 0;
   for (const Vec3& v : second.vertices) {
@@ -121,33 +140,37 @@ std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, 
   for (const Vec3& v : first.vertices) {
     apart.height_2 = std::max(apart.height_2, std::abs((base - (v - first.vertices.front())).dot(second.normal)));
   }
+  // Vertices off the plane tilt the surface by about flatness · extent / area.
+  apart.height_1 += tilt(first, radius_1) * reach;
+  apart.height_2 += tilt(second, radius_2) * reach;
   const auto from = quadrilaterals(first.vertices), to = quadrilaterals(second.vertices);
-  QuadratureSum sum;
-  int n = 2;
-  for (; n <= max_nodes; ++n) {
-    sum.truncation = truncation(from, to, apart, n);
-    if (sum.truncation <= goal) break;
-  }
-  if (n > max_nodes) return std::nullopt;
+  std::array<Shape, 2> shapes;
+  for (const auto& q : from) include(q, shapes[0]);
+  for (const auto& q : to) include(q, shapes[1]);
+  const auto quads = static_cast<double>(from.size() * to.size());
+  const auto chosen = plan(shapes, apart, goal, budget / quads);
+  if (!chosen) return std::nullopt;
 
-  std::vector<WeightedPoint> points_1, points_2;
-  for (const auto& q : from) append_points(q, first.normal, n, points_1);
-  for (const auto& q : to) append_points(q, second.normal, n, points_2);
+  QuadratureSum sum;
+  sum.truncation = chosen->truncation;
+  std::vector<SurfacePoint> points_1, points_2;
+  for (const auto& q : from) append_points(q, chosen->nodes[0], points_1);
+  for (const auto& q : to) append_points(q, chosen->nodes[1], points_2);
   double mass_1 = 0, mass_2 = 0;
-  for (const auto& b : points_2) mass_2 += std::abs(b.weight);
+  for (const auto& b : points_2) mass_2 += b.area.norm();
   for (const auto& a : points_1) {
-    mass_1 += std::abs(a.weight);
+    mass_1 += a.area.norm();
     double inner = 0;
     const Vec3 start = offset - a.point;
     for (const auto& b : points_2) {
       const Vec3 r = start + b.point;
       const double square = r.squaredNorm();
-      inner -= b.weight * r.dot(first.normal) * r.dot(second.normal) / (square * square);
+      inner -= r.dot(a.area) * r.dot(b.area) / (square * square);
     }
-    sum.value += 2 * a.weight * inner;
+    sum.value += 2 * inner;
   }
   constexpr double kKernelRoundings = 24;  // counted in NOTES.md §4
-  const double kernel = (apart.height_1 + apart.height_2) * (reach + ball_1.radius) / std::pow(apart.gap, 4);
+  const double kernel = (apart.height_1 + apart.height_2) * (reach + radius_1) / std::pow(apart.gap, 4);
   sum.rounding = 2 * kKernelRoundings * kUnitRoundoff * mass_1 * mass_2 *
                  (apart.height_1 * apart.height_2 / std::pow(apart.gap, 4) + kernel);
   return sum;

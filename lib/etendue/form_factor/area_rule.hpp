@@ -17,10 +17,10 @@ namespace etendue {
 ///
 /// Symbols   r distance [length]; a_1, a_2 angles to the normals [rad]
 /// Domain    two loops wholly in front of one another; any simple polygons (winding numbers do the rest)
-/// Returns   the sum, or nothing where more than `max_nodes` nodes a direction would be needed for `goal`
+/// Returns   the sum, or nothing where more than `budget` evaluations of the kernel would be needed for `goal`
 /// Accuracy  |value − integral| ≤ truncation + rounding; truncation proved, rounding counted: NOTES.md §4
 /// Errors    none
 [[nodiscard]] std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, const Vec3& offset,
-                                                       double goal, int max_nodes);
+                                                       double goal, double budget);
 
 }  // namespace etendue

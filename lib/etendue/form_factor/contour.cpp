@@ -30,8 +30,6 @@ Segment segment(const Vec3& start, const Vec3& end) {
   return {start, end, vector / length, length};
 }
 
-/// Operations that one evaluation of the inner integral rounds, as multiples of u; the count is in NOTES.md §3.
-constexpr double kEvaluationRoundings = 16;
 /// The closed form of coplanar edges: four corners, each z² ln z, divided by the two edges.
 constexpr double kCornerRoundings = 24;
 /// Below this ellipse parameter halving the interval is cheaper than adding nodes.
@@ -39,26 +37,31 @@ constexpr double kNarrowEllipse = 1.7;
 /// The contour leaves room between the deformed path and the branch point of the crossing lines.
 constexpr double kBranchClearance = 0.7;
 
-/// ∫ over `inner` of ln |x − p|, and the size of its terms.
+/// ∫ over `inner` of ln |x − p|, and a bound on its rounding error in units of u.
 struct InnerIntegral {
   double value;
-  double logarithms;  ///< |ln r_start| + |ln r_end|
+  double roundings;
 };
 
 double half_log(double square) {
   return square > 0 ? 0.5 * std::log(square) : 0;
 }
 
-InnerIntegral inner_integral(const Vec3& p, const Segment& inner) {
+/// `coordinates` bounds |p|, whose own rounding moves the integral by its gradient. The count is in NOTES.md §3.
+InnerIntegral inner_integral(const Vec3& p, const Segment& inner, double coordinates) {
   const Vec3 to_start = inner.start - p;
   const Vec3 to_end = inner.end - p;
-  const double log_start = half_log(to_start.squaredNorm());
-  const double log_end = half_log(to_end.squaredNorm());
-  const double doubled_area = to_start.cross(to_end).norm();
-  const double angle = std::atan2(doubled_area, to_start.dot(to_end));
+  const double square_start = to_start.squaredNorm(), square_end = to_end.squaredNorm();
+  const double r_start = std::sqrt(square_start), r_end = std::sqrt(square_end);
+  const double log_start = half_log(square_start), log_end = half_log(square_end);
+  const double distance = to_start.cross(to_end).norm() / inner.length;
+  const double angle = std::atan2(distance * inner.length, to_start.dot(to_end));
   const double value = to_end.dot(inner.direction) * log_end - to_start.dot(inner.direction) * log_start -
-                       inner.length + doubled_area / inner.length * angle;
-  return {value, std::abs(log_start) + std::abs(log_end)};
+                       inner.length + distance * angle;
+  const double roundings = 3 * coordinates * (std::abs(log_end - log_start) + angle) +
+                           r_end * (8 * std::abs(log_end) + 3) + r_start * (8 * std::abs(log_start) + 3) +
+                           2 * inner.length + 5 * r_start * r_end * angle / inner.length + distance * (8 + 4 * angle);
+  return {value, roundings};
 }
 
 double joukowski(double semi_axis) {
@@ -146,8 +149,10 @@ struct Chart {
 Chart chart_of(const Segment& outer, const Segment& inner) {
   const auto chart = [&](const Vec3& candidate) {
     const Vec3 across = candidate - candidate.dot(outer.direction) * outer.direction;
-    const double norm = across.norm();
-    const Vec3 y = norm > 0 ? Vec3(across / norm) : Vec3(outer.direction.unitOrthogonal());
+    // What is left of a nearly parallel candidate is rounding, and need not be orthogonal: Gram and Schmidt once more.
+    Vec3 y = across.norm() > 0 ? Vec3(across.normalized()) : Vec3::Zero();
+    y -= y.dot(outer.direction) * outer.direction;
+    y = y.norm() > 0.5 ? Vec3(y.normalized()) : Vec3(outer.direction.unitOrthogonal());
     const Vec3 normal = outer.direction.cross(y);
     const double deviation =
         std::max(std::abs((inner.start - outer.start).dot(normal)), std::abs((inner.end - outer.start).dot(normal)));
@@ -163,8 +168,10 @@ double cross(Complex a, Complex b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
-/// Closed form, or nothing where the two segments cross inside both.
-std::optional<QuadratureSum> planar_pair(const Segment& outer, const Segment& inner, const Chart& chart) {
+/// Closed form, or nothing where the two segments cross inside both. Segments within `lateral` of one line count as on
+/// it. Moving points by d off a line or plane changes ∬ ln r by at most π d outer.length (NOTES.md §3).
+std::optional<QuadratureSum> planar_pair(const Segment& outer, const Segment& inner, const Chart& chart,
+                                         double lateral) {
   const auto project = [&](const Vec3& v) { return Complex(v.dot(chart.x), v.dot(chart.y)); };
   const Complex e1(outer.length, 0);
   Complex e2 = project(inner.end - inner.start);
@@ -176,7 +183,8 @@ std::optional<QuadratureSum> planar_pair(const Segment& outer, const Segment& in
     side_low = std::min(side_low, point.imag());
     side_high = std::max(side_high, point.imag());
   }
-  const double slack = 8 * kUnitRoundoff * reach;
+  const double breadth = std::max(side_high, -side_low);
+  const double slack = std::max(8 * kUnitRoundoff * reach, breadth <= lateral ? breadth : 0);
   const bool straddles = side_low < -slack && side_high > slack;
   Complex rotation(1, 0);
   if (straddles) {
@@ -189,8 +197,13 @@ std::optional<QuadratureSum> planar_pair(const Segment& outer, const Segment& in
   } else {
     // All corners on one side of outer's line: mirrored to the upper one, where the principal logarithm is continuous.
     const double side = side_high > slack ? 1 : -1;
-    for (Complex& point : z) point = {point.real(), std::max(side * point.imag(), 0.0)};
+    // (std::max could return the −0 that selects the wrong side of the cut.)
+    for (Complex& point : z) point = {point.real(), side * point.imag() > 0 ? side * point.imag() : +0.0};
     e2 = {e2.real(), side * e2.imag()};
+    if (breadth <= slack) {
+      for (Complex& point : z) point = {point.real(), +0.0};
+      e2 = {std::copysign(inner.length, e2.real()), 0.0};
+    }
   }
   Complex sum = 0;
   double size = 0;
@@ -206,6 +219,7 @@ std::optional<QuadratureSum> planar_pair(const Segment& outer, const Segment& in
   QuadratureSum result;
   result.value = (sum / scale).real() * area_lengths;
   result.rounding = kCornerRoundings * kUnitRoundoff * size / area * area_lengths;
+  result.truncation = std::numbers::pi * (chart.deviation + std::min(slack, breadth)) * outer.length;
   return result;
 }
 
@@ -216,6 +230,7 @@ class EdgePair {
     reach_ = std::max({(inner.start - outer.start).norm(), (inner.start - outer.end).norm(),
                        (inner.end - outer.start).norm(), (inner.end - outer.end).norm()});
     // ∫ |ln r| over a segment no longer than 2 reach, both ends within reach of p.
+    coordinates_ = std::max(outer.start.norm(), outer.end.norm());
     largest_ = 2 * reach_ * (2 + std::abs(std::log(reach_)));
   }
 
@@ -228,20 +243,20 @@ class EdgePair {
   void add(const Segment& outer) {
     const double goal = density_ * outer.length;
     const Decay decay = decay_along(outer, inner_);
-    if (decay.rho >= kNarrowEllipse && add_gauss(outer, decay, goal, false)) return;
+    if (decay.rho >= kNarrowEllipse && add_gauss(outer, decay, goal)) return;
     const Chart chart = chart_of(outer, inner_);
-    const double flattening = std::numbers::pi * chart.deviation * outer.length;
-    if (flattening <= std::max(goal, 4 * kUnitRoundoff * reach_ * outer.length)) {
-      if (const auto closed = planar_pair(outer, inner_, chart)) {
+    const double allowed = std::max(goal / outer.length, kFlattening * kUnitRoundoff * reach_) / (2 * std::numbers::pi);
+    if (chart.deviation <= allowed) {
+      if (const auto closed = planar_pair(outer, inner_, chart, allowed)) {
         sum_.value += closed->value;
-        sum_.truncation += flattening;
+        sum_.truncation += closed->truncation;
         sum_.rounding += closed->rounding;
         return;
       }
     }
     if (2 * outer.length * largest_ <= std::max(goal, kUnitRoundoff * length_ * largest_)) {
       sum_.truncation += 2 * outer.length * largest_;
-      sum_.value += outer.length * inner_integral(0.5 * (outer.start + outer.end), inner_).value;
+      sum_.value += outer.length * inner_integral(0.5 * (outer.start + outer.end), inner_, coordinates_).value;
       return;
     }
     const Vec3 middle = 0.5 * (outer.start + outer.end);
@@ -250,7 +265,7 @@ class EdgePair {
     add({middle, outer.end, outer.direction, half});
   }
 
-  bool add_gauss(const Segment& outer, const Decay& decay, double goal, bool accept) {
+  bool add_gauss(const Segment& outer, const Decay& decay, double goal) {
     const double half = 0.5 * outer.length;
     int n = 2;
     double truncation = 0;
@@ -258,25 +273,29 @@ class EdgePair {
       truncation = half * decay.weight * logarithmic_truncation(n, decay.rho);
       if (truncation <= goal || n == kMaxNodes) break;
     }
-    if (truncation > goal && !accept && truncation > kUnitRoundoff * outer.length * largest_) return false;
+    if (truncation > goal && truncation > kUnitRoundoff * outer.length * largest_) return false;
     const Vec3 middle = 0.5 * (outer.start + outer.end);
-    double value = 0, logarithms = 0;
+    double value = 0, roundings = 0;
     for (const QuadratureNode& node : gauss_legendre(n)) {
-      const InnerIntegral g = inner_integral(middle + (half * node.x) * outer.direction, inner_);
+      const InnerIntegral g = inner_integral(middle + (half * node.x) * outer.direction, inner_, coordinates_);
       value += node.weight * g.value;
-      logarithms = std::max(logarithms, g.logarithms);
+      roundings += node.weight * g.roundings;
     }
     sum_.value += half * value;
     sum_.truncation += truncation;
-    sum_.rounding += kEvaluationRoundings * kUnitRoundoff * outer.length * (reach_ * (logarithms + 2) + inner_.length);
+    sum_.rounding += half * kUnitRoundoff * (roundings + kSumRoundings * std::abs(value));
     return true;
   }
 
   static constexpr int kMaxNodes = 20;
+  static constexpr double kSumRoundings = kMaxNodes + 4;  // of the weights, the products, the sum and the half length
+  /// Deviations from a common plane that rounding alone makes, as multiples of u · reach.
+  static constexpr double kFlattening = 32;
   const Segment& inner_;
   double length_;
   double density_;
   double reach_ = 0;
+  double coordinates_ = 0;
   double largest_ = 0;
   QuadratureSum sum_;
 };

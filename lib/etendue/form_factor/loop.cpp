@@ -33,6 +33,34 @@ double height_error(const Loop& plane, const Vec3& point) {
   return plane.flatness + gamma_bound(kRoundings) * (point - plane.vertices.front()).norm();
 }
 
+Vec3 mean(std::span<const Vec3> points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+double radius(std::span<const Vec3> points) {
+  const Vec3 centre = mean(points);
+  double largest = 0;
+  for (const Vec3& p : points) largest = std::max(largest, (p - centre).norm());
+  return largest;
+}
+
+double least_distance(const Loop& first, const Loop& second, const Vec3& offset) {
+  const Vec3 between = offset + (mean(second.vertices) - mean(first.vertices));
+  const double balls = between.norm() - radius(first.vertices) - radius(second.vertices);
+  const auto above = [](const Loop& plane, const Loop& loop, const Vec3& shift) {
+    double least = 0;
+    for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
+      const Vec3 point = shift + loop.vertices[i];
+      const double height = std::abs(height_above(plane, point)) - height_error(plane, point);
+      least = i == 0 ? height : std::min(least, height);
+    }
+    return least;
+  };
+  return std::max({0.0, balls, above(first, second, offset), above(second, first, -offset)});
+}
+
 std::vector<Vec3> clip(std::span<const Vec3> loop, std::span<const double> heights) {
   std::vector<Vec3> kept;
   kept.reserve(loop.size() + 2);

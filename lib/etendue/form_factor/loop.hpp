@@ -28,6 +28,15 @@ struct Loop {
 /// plane.
 [[nodiscard]] double height_error(const Loop& plane, const Vec3& point);
 
+[[nodiscard]] Vec3 mean(std::span<const Vec3> points);
+
+/// Largest distance of a point from their mean.
+[[nodiscard]] double radius(std::span<const Vec3> points);
+
+/// A lower bound on the distance between two flat loops, the second moved by `offset`: from enclosing balls, and from
+/// the heights of either above the plane of the other. 0 where none of them says more.
+[[nodiscard]] double least_distance(const Loop& first, const Loop& second, const Vec3& offset);
+
 /// The vertices of `loop` with heights above `threshold`; empty where nothing of positive extent is left.
 /// A concave loop may come back with edges along the plane that run to and fro: line integrals do not see them.
 ///

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,19 +37,138 @@ double rough_size(const Loop& from, const Loop& to, const Vec3& offset) {
   return 2 * std::min(kernel, std::numbers::pi * std::min(from.area, to.area));
 }
 
-/// How many nodes a direction the area rule may spend before the contour is cheaper.
-constexpr int kCheapAreaNodes = 6;
-constexpr int kMostAreaNodes = 10;
+/// Kernel evaluations up to which the area rule is cheaper than the contour.
+constexpr double kCheapArea = 1500;
+/// Kernel evaluations up to which it is preferred to cutting the pair into smaller ones.
+constexpr double kCostlyArea = 10000;
+/// The least rounding that a contour can have, per product of the perimeters; decides only what is tried.
+constexpr double kContourTerms = 4 * kUnitRoundoff;
+/// Pieces into which a pair may be cut for every factor of ten by which the whole contour misses its goal, and at most.
+constexpr double kPiecesPerFactor = 64;
+constexpr double kMostPieces = 20000;
 
-QuadratureSum integrate(const FacingPair& pair, double goal) {
-  if (auto area = double_area(pair.from, pair.to, pair.offset, goal, kCheapAreaNodes)) return *area;
-  const std::vector<Vec3> second = shifted(pair.to.vertices, pair.offset);
-  QuadratureSum contour = double_contour(pair.from.vertices, second, goal);
-  if (contour.truncation + contour.rounding <= 2 * goal) return contour;
-  if (auto area = double_area(pair.from, pair.to, pair.offset, goal, kMostAreaNodes)) {
-    if (area->truncation + area->rounding < contour.truncation + contour.rounding) return *area;
+double perimeter(const std::vector<Vec3>& v) {
+  double sum = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) sum += (v[(i + 1) % v.size()] - v[i]).norm();
+  return sum;
+}
+
+Loop with_vertices(const Loop& loop, std::vector<Vec3> vertices) {
+  Loop part = make_loop(std::move(vertices));
+  part.normal = loop.normal;
+  part.flatness = std::max(part.flatness, loop.flatness);
+  return part;
+}
+
+/// What of a + b the rounded middle misses.
+double middle_error(const Vec3& a, const Vec3& b, const Vec3& middle) {
+  const Vec3 doubled = 2 * middle;
+  const Vec3 part = doubled - a;
+  return 0.5 * ((a - (doubled - part)) + (b - part)).norm();
+}
+
+struct Halves {
+  std::vector<Loop> parts;
+  double swept = 0;  ///< bound on the area between the loop and its parts' outline
+};
+
+/// The two halves of a loop, cut across its longest edge: quadrilaterals between the middles of opposite edges.
+Halves halves(const Loop& loop) {
+  const auto& v = loop.vertices;
+  const std::size_t n = v.size();
+  std::size_t i = 0;
+  for (std::size_t k = 1; k < n; ++k) {
+    if ((v[(k + 1) % n] - v[k]).squaredNorm() > (v[(i + 1) % n] - v[i]).squaredNorm()) i = k;
   }
-  return contour;
+  const Vec3& a = v[i];
+  const Vec3& b = v[(i + 1) % n];
+  const Vec3& c = v[(i + 2) % n];
+  const Vec3& d = v[(i + 3) % n];
+  Halves result;
+  if (n <= 4) {
+    const Vec3 middle = 0.5 * (a + b);
+    const Vec3 opposite = n == 3 ? c : Vec3(0.5 * (c + d));
+    result.swept = middle_error(a, b, middle) * (b - a).norm();
+    if (n == 3) {
+      result.parts = {with_vertices(loop, {a, middle, c}), with_vertices(loop, {middle, b, c})};
+    } else {
+      result.swept += middle_error(c, d, opposite) * (d - c).norm();
+      result.parts = {with_vertices(loop, {a, middle, opposite, d}), with_vertices(loop, {middle, b, c, opposite})};
+    }
+    return result;
+  }
+  const Vec3 centre = mean(v);
+  std::vector<double> heights;
+  double reach = 0;
+  for (const Vec3& p : v) {
+    heights.push_back((p - centre).dot(b - a));
+    reach = std::max(reach, p.norm());
+  }
+  constexpr double kCutRoundings = 8;
+  result.swept = kCutRoundings * kUnitRoundoff * reach * perimeter(v);
+  for (int side = 0; side < 2; ++side) {
+    std::vector<Vec3> part = clip(v, heights);
+    if (!part.empty()) result.parts.push_back(with_vertices(loop, std::move(part)));
+    for (double& h : heights) h = -h;
+  }
+  return result;
+}
+
+/// 2π A_1 F of a pair, by whichever method keeps its digits; pairs that none serves are cut in two.
+class PairIntegral {
+ public:
+  PairIntegral(const FacingPair& pair, double budget) : offset_(pair.offset), budget_(budget) {}
+
+  QuadratureSum integrate(const Loop& from, const Loop& to, double goal) {
+    ++pieces_;
+    if (auto area = double_area(from, to, offset_, goal, kCheapArea)) return *area;
+    const bool last = pieces_ > budget_;
+    if (last || kContourTerms * perimeter(from.vertices) * perimeter(to.vertices) <= goal) {
+      const QuadratureSum sum = double_contour(from.vertices, shifted(to.vertices, offset_), goal);
+      if (last || sum.rounding <= kRoundingShare * goal) return sum;
+    }
+    if (auto area = double_area(from, to, offset_, goal, kCostlyArea)) return *area;
+    const bool cut_from = radius(from.vertices) > radius(to.vertices);
+    const Loop& whole = cut_from ? from : to;
+    // Two new corners are off their edges by the rounding of a middle; what is swept sees at most all of the other, and
+    // at a distance no more than area/(π gap²) of it.
+    const double gap = least_distance(from, to, offset_);
+    const double seen = std::min(std::numbers::pi, (cut_from ? to : from).area / (gap * gap));
+    Halves cut = halves(whole);
+    QuadratureSum sum;
+    sum.rounding = 2 * seen * cut.swept;
+    for (const Loop& half : cut.parts) {
+      const QuadratureSum part = cut_from ? integrate(half, to, 0.5 * goal) : integrate(from, half, 0.5 * goal);
+      sum.value += part.value;
+      sum.truncation += part.truncation;
+      sum.rounding += part.rounding;
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr double kRoundingShare = 2;
+  Vec3 offset_;
+  double budget_;
+  int pieces_ = 0;
+};
+
+/// What is asked of 2π A_1 F.
+struct Goal {
+  double relative;
+  double absolute;
+
+  double at(double size) const { return std::max(absolute, relative * std::abs(size)); }
+};
+
+QuadratureSum integrate(const FacingPair& pair, double goal, const Goal& asked) {
+  if (auto area = double_area(pair.from, pair.to, pair.offset, goal, kCheapArea)) return *area;
+  const QuadratureSum whole = double_contour(pair.from.vertices, shifted(pair.to.vertices, pair.offset), goal);
+  const double reached = asked.at(whole.value);
+  if (whole.truncation + whole.rounding <= reached || whole.truncation > whole.rounding) return whole;
+  const double budget = std::min(kMostPieces, kPiecesPerFactor * whole.rounding / reached);
+  const QuadratureSum cut = PairIntegral(pair, budget).integrate(pair.from, pair.to, std::max(goal, 0.25 * reached));
+  return cut.truncation + cut.rounding < whole.truncation + whole.rounding ? cut : whole;
 }
 
 }  // namespace
@@ -60,15 +178,13 @@ Bounded form_factor(const Polygon& from, const Polygon& to, Tolerance tolerance)
   const FacingPair pair = facing_pair(from, to);
   if (!pair.sees()) return {0, 0};
   const double to_factor = 1 / (2 * std::numbers::pi * pair.from_area);
-  const double absolute_goal = tolerance.absolute / to_factor;
+  const Goal asked{tolerance.relative, tolerance.absolute / to_factor};
   double size = 0.25 * rough_size(pair.from, pair.to, pair.offset);
   QuadratureSum sum;
   constexpr int kAttempts = 3;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const double goal = 0.5 * std::max(absolute_goal, tolerance.relative * size);
-    sum = integrate(pair, goal);
-    const double reached = std::max(absolute_goal, tolerance.relative * std::abs(sum.value));
-    if (sum.truncation <= 0.5 * reached || sum.truncation <= sum.rounding) break;
+    sum = integrate(pair, 0.5 * asked.at(size), asked);
+    if (sum.truncation <= 0.5 * asked.at(sum.value) || sum.truncation <= sum.rounding) break;
     size = std::min(std::abs(sum.value), 0.25 * size);
   }
   constexpr int kFinalRoundings = 8;  // the area, its product with 2π, the division
