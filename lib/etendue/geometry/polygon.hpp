@@ -23,7 +23,7 @@ inline constexpr double kCoordinateRounding = 0x1p-50;
 /// coordinates has no normal.
 inline constexpr double kNarrowest = 0x1p-50;
 
-/// A simple planar polygon, convex or concave. Vertices run counter-clockwise as seen from the front.
+/// A simple planar polygon, convex or concave. Vertices run counter-clockwise as seen from the front.  @eq RT.11
 class Polygon {
  public:
   /// Refuses fewer than three vertices, non-finite coordinates, coincident vertices, zero area, vertices off the plane

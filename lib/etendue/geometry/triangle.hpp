@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-/// Corners in counter-clockwise order as seen from the front.
+/// Corners in counter-clockwise order as seen from the front.                                   @eq RT.9, RT.10
 struct Triangle {
   Vec3 a, b, c;
 };

@@ -24,7 +24,7 @@ struct RadiositySolution {
 
 enum class DirectSolver { gaussian_elimination, eigen_lu };
 
-/// The matrix I − diag(ρ) F, each entry rounded once or twice.                                     @eq IU.6-9
+/// The matrix I − diag(ρ) F, each entry rounded once or twice.                            @eq IU.6-9, IU.6.3x
 [[nodiscard]] Eigen::MatrixXd radiosity_matrix(const RadiositySystem& system);
 
 /// The radiosities of one channel, and how far they can be from the exact solution of the system as given.
