@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/process.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <stdexcept>
+#include <thread>
+
+#include "support/temporary_folder.hpp"
+
+extern char** environ;
+
+namespace etendue::validation {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double kLongest = 120;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (auto& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+std::vector<std::string> environment(const ProcessOptions& options) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry;
+    bool replaced = false;
+    for (const auto& [name, value] : options.environment) replaced = replaced || text.rfind(name + "=", 0) == 0;
+    if (!replaced) all.push_back(text);
+  }
+  for (const auto& [name, value] : options.environment) all.push_back(name + "=" + value);
+  return all;
+}
+
+/// Waits for the end; interrupts and kills when it is time.
+int wait_for(pid_t process, Clock::time_point begin, double interrupt_after) {
+  int status = 0;
+  bool interrupted = interrupt_after <= 0;
+  while (::waitpid(process, &status, WNOHANG) == 0) {
+    if (!interrupted && seconds_since(begin) >= interrupt_after) {
+      ::kill(process, SIGINT);
+      interrupted = true;
+    }
+    if (seconds_since(begin) > kLongest) ::kill(process, SIGKILL);
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  return status;
+}
+
+}  // namespace
+
+Ended run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                  const ProcessOptions& options) {
+  const TemporaryFolder folder;
+  const auto out = options.out.empty() ? folder.path() / "out" : options.out;
+  const auto err = folder.path() / "err";
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> variables = environment(options);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
+  int ends[2] = {-1, -1};
+  if (options.closed_pipe) {
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+    ::close(ends[0]);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  } else {
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  }
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+
+  const auto begin = Clock::now();
+  pid_t process = 0;
+  const int failure =
+      posix_spawn(&process, program.c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (ends[1] >= 0) ::close(ends[1]);
+  if (failure != 0) throw std::runtime_error("cannot start " + program.string());
+
+  Ended ended;
+  const int status = wait_for(process, begin, options.interrupt_after);
+  ended.seconds = seconds_since(begin);
+  if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
+  if (options.out.empty() && !options.closed_pipe) ended.out = read_text(out);
+  ended.err = read_text(err);
+  return ended;
+}
+
+Ended run_etendue(const std::vector<std::string>& arguments, const ProcessOptions& options) {
+  return run_process(etendue_program(), arguments, options);
+}
+
+const std::filesystem::path& etendue_program() {
+  static const std::filesystem::path path = ETENDUE_PROGRAM;
+  return path;
+}
+
+const std::filesystem::path& source_root() {
+  static const std::filesystem::path path = ETENDUE_SOURCE_ROOT;
+  return path;
+}
+
+}  // namespace etendue::validation

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace etendue::validation {
+
+/// How a program ended, and what it said.
+struct Ended {
+  int code = -1;   ///< exit code; −1 when a signal ended it
+  int signal = 0;  ///< that signal
+  std::string out;
+  std::string err;
+  double seconds = 0;
+};
+
+struct ProcessOptions {
+  std::filesystem::path folder;                                  ///< working directory; empty: ours
+  std::vector<std::pair<std::string, std::string>> environment;  ///< set besides ours
+  std::filesystem::path out;                                     ///< where standard output goes instead
+  bool closed_pipe = false;                                      ///< standard output is a pipe that nobody reads
+  double interrupt_after = 0;                                    ///< seconds after which SIGINT is sent; 0: never
+};
+
+/// Runs a program to its end (or kills it after two minutes).
+Ended run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                  const ProcessOptions& options = {});
+
+/// The real program `etendue` of this build.
+Ended run_etendue(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
+const std::filesystem::path& etendue_program();
+
+/// Root of the sources: scenes/, docs/ …
+const std::filesystem::path& source_root();
+
+}  // namespace etendue::validation
