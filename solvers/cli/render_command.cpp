@@ -111,8 +111,8 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
       << counts.transmitted_rays << " transmitted, " << counts.shadow_rays << " to lights\n"
       << "tests       " << rounded(per_ray(counts.tests.surfaces, counts)) << " surfaces and "
       << rounded(per_ray(counts.tests.volumes, counts)) << " boxes a ray, by " << request.accelerator << '\n'
-      << "left out    " << counts.cut_by_depth << " rays by depth, " << counts.cut_by_cutoff << " by cutoff; together at most "
-      << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
+      << "left out    " << counts.cut_by_depth << " rays by depth, " << counts.cut_by_cutoff
+      << " by cutoff; together at most " << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
       << "brightness  " << rounded(bright.largest) << " at most";
   if (bright.overflow > 0) {
     out << "; " << bright.overflow << " pixels are cut off in the PNG (--exposure "
