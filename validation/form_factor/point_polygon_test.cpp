@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/form_factor/point_polygon.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "form_factor/shapes.hpp"
+#include "oracles/element_rectangle.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+Vec3 tilted_direction(const Vec3& d) {
+  return (tilted(d) - tilted(Vec3::Zero())).normalized();
+}
+
+// CLAIM      IU.6-2: Lambert's sum gives the factor from an element to a parallel rectangle under its corner.
+// ORACLE     closed form: the corner formula in balls of 600 bits.
+// TOLERANCE  the returned bound, the frame's rounding being carried by the coordinates: kFrame of one, as the polygon's
+//            vertices and the element move by some units in the last place of coordinates near one.
+TEST(PointToPolygon, MeetsTheCornerFormula) {
+  proves({"IU.6-2"}, Oracle::closed_form, "element above a rectangle's corner, 600-bit balls");
+  constexpr double kFrame = 32 * 0x1p-53;
+  for (double a : {0.01, 0.1, 1.0, 3.0, 50.0}) {
+    for (double b : {0.02, 0.5, 1.0, 20.0}) {
+      const Polygon seen = tilted(rectangle({0, 0, 1}, {0, b, 0}, {a, 0, 0}));
+      const Bounded f = point_to_polygon(tilted(Vec3(0, 0, 0)), tilted_direction({0, 0, 1}), seen);
+      EXPECT_TRUE(near(f.value, oracle::element_to_corner_rectangle(a, b), f.bound + kFrame * std::hypot(1, a, b)));
+    }
+  }
+}
+
+// CLAIM      IU.6-2: for a small polygon F tends to cos φ_i cos φ_j dA/(π R²), with an error of second order in its
+// size. ORACLE     closed form: the formula itself. TOLERANCE  (size/R)² of the value: half the Laplacian of the kernel
+// is below 12 kernel/R², a square of side s has second
+//            moments s²/12; and the returned bound.
+TEST(PointToPolygon, TendsToTheDifferentialFactor) {
+  proves({"IU.6-2"}, Oracle::closed_form, "cos cos dA/(pi R^2) at sizes 0.1 to 1e-3");
+  const Vec3 centre(0.6, -0.3, 1.2);
+  const Vec3 normal = Vec3(-0.2, 0.3, -1).normalized();
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  for (double s : {0.1, 0.03, 0.01, 0.003, 0.001}) {
+    const Polygon small = rectangle(centre - 0.5 * s * (u + v), s * u, s * v);
+    const double square = centre.squaredNorm();
+    const double expected = centre.z() * -centre.dot(normal) / square * s * s / (std::numbers::pi * square);
+    const Bounded f = point_to_polygon(Vec3::Zero(), Vec3::UnitZ(), small);
+    EXPECT_TRUE(near(f.value, expected, s * s / square * expected + f.bound)) << s;
+  }
+}
+
+// CLAIM      G12: cosines are clamped at 0: backs see nothing, what lies below the horizon adds nothing.
+// ORACLE     identity: the same polygon cut at the horizon by hand, and zeros.
+// TOLERANCE  the returned bounds; the zeros are exact.
+TEST(PointToPolygon, ClampsBothCosines) {
+  proves({"G12", "IU.6-2"}, Oracle::identity, "cut by hand; without the clamp the horizon's lower half would subtract");
+  const Vec3 up = Vec3::UnitZ();
+  const Polygon wall = rectangle({1, -1, -1}, {0, 0, 2}, {0, 2, 0});  // faces the element, half below its horizon
+  const Polygon upper_half = rectangle({1, -1, 0}, {0, 0, 1}, {0, 2, 0});
+  const Bounded f = point_to_polygon(Vec3::Zero(), up, wall), half = point_to_polygon(Vec3::Zero(), up, upper_half);
+  ASSERT_GT(half.value, 0.1);
+  EXPECT_TRUE(near(f.value, half.value, f.bound + half.bound));
+  // Unclamped, the lower half cancels the upper one by symmetry.
+  std::vector<Vec3> seen(wall.vertices());
+  EXPECT_TRUE(near(lambert_sum(seen, up).value, 0, lambert_sum(seen, up).bound));
+  EXPECT_TRUE(within(point_to_polygon({2, 0, 0}, up, wall).value, 0)) << "behind the polygon";
+  EXPECT_TRUE(within(point_to_polygon({1, 0, 0}, up, wall).value, 0)) << "in the polygon's plane";
+  EXPECT_TRUE(within(point_to_polygon({0, 0, 5}, up, wall).value, 0)) << "above all of it";
+  EXPECT_THROW(static_cast<void>(point_to_polygon(Vec3::Zero(), 2 * up, wall)), ContractViolation);
+}
+
+}  // namespace
+}  // namespace etendue::validation
