@@ -171,6 +171,11 @@ TEST(Program, RefusesFilesItCannotReadOrWrite) {
     ADD_FAILURE() << "ended with " << ended.code << ", expected " << c.code << "; holds " << folder.contents() << "\n"
                   << ended.err;
   }
+  ProcessOptions elsewhere;
+  elsewhere.environment = {{"ETENDUE_IO", dir + "/none.so"}};
+  const Ended moduleless = run_etendue({"render", minimal_scene(), "--output", dir + "/a.png"}, elsewhere);
+  EXPECT_EQ(moduleless.code, 5);
+  EXPECT_NE(moduleless.err.find("the module libetendue_io.so is not at '" + dir + "/none.so'"), std::string::npos);
   EXPECT_TRUE(all_agree(wrong, all.size()));
 }
 

@@ -2,6 +2,7 @@
 #include "etendue/io/scene_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -9,6 +10,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "etendue/io/placement.hpp"
 #include "etendue/io/scene_keys.hpp"
 #include "io/counter_random.hpp"
 #include "io/example_scene.hpp"
@@ -70,7 +72,11 @@ TEST(SceneReader, HoldsWhatTheFileSays) {
   EXPECT_EQ(scene.objects[2].subdivision.elements[0], 10);
   EXPECT_EQ(scene.objects[2].subdivision.patches[1], 5);
   EXPECT_EQ(scene.objects[1].material, 3u);
-  EXPECT_EQ(std::get<Mesh>(scene.objects[8].shape).triangles.size(), 6u);
+  const auto& triangles = std::get<Mesh>(scene.objects[8].shape).triangles;
+  ASSERT_EQ(triangles.size(), 6u);
+  EXPECT_EQ(triangles[3], (std::array<std::uint32_t, 3>{3, 0, 4}));
+  EXPECT_EQ(triangles[4], (std::array<std::uint32_t, 3>{0, 3, 2}));  // the quad 0 3 2 1: a b c …
+  EXPECT_EQ(triangles[5], (std::array<std::uint32_t, 3>{0, 2, 1}));  // … and a c d
 }
 
 // CLAIM      Transforms act in the order in which they stand, inner before outer; quarter turns are exact.
@@ -113,6 +119,22 @@ TEST(SceneReader, PlacesShapesExactlyUnderQuarterTurns) {
   EXPECT_EQ(triangle.b, Vec3(10, -1, 1));
   EXPECT_EQ(triangle.c, Vec3(9, 0, 1));
   EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 11));
+}
+
+// CLAIM      A rotation about z by any angle takes (1, 0, 0) to (cos, sin, 0), right-handed.
+// ORACLE     closed form: cosine and sine in long double, angles of both signs beyond one turn.
+// TOLERANCE  4 units of 2^-53: reducing the angle is exact, converting to radians errs by one unit of at most π/4 and a
+//            half for π, sine or cosine by one more; two products and sums round on top.
+TEST(SceneReader, RotatesByAnyAngle) {
+  proves({}, Oracle::closed_form, "cosine and sine in long double");
+  for (int degrees = -725; degrees <= 725; degrees += 7) {
+    const Mat3 turn = rotation(Vec3::UnitZ(), degrees);
+    const long double angle = degrees * std::numbers::pi_v<long double> / 180;
+    EXPECT_TRUE(near(turn(0, 0), static_cast<double>(std::cos(angle)), 4 * 0x1p-53));
+    EXPECT_TRUE(near(turn(1, 0), static_cast<double>(std::sin(angle)), 4 * 0x1p-53));
+    EXPECT_TRUE(near(turn(0, 1), -static_cast<double>(std::sin(angle)), 4 * 0x1p-53));
+    EXPECT_TRUE(near(turn(2, 2), 1, 4 * 0x1p-53));
+  }
 }
 
 // CLAIM      Normals stay orthogonal to the plane under unequal scales and arbitrary turns.
