@@ -8,7 +8,7 @@ namespace etendue {
 
 /// Unobstructed form factor F_12: the fraction of the power leaving `from` that arrives at `to`.
 ///
-///     F_12 = 1/A_1  ∫_A1 ∫_A2  cos a_1 cos a_2 / (π r²)  dA_2 dA_1                            @eq IU.6-3
+///     F_12 = 1/A_1  ∫_A1 ∫_A2  cos a_1 cos a_2 / (π r²)  dA_2 dA_1                            @eq IU.6-3, IU.6.2
 ///
 /// Symbols   A_1, A_2 areas [m²]; r distance [m]; a_1, a_2 angles to the normals, their cosines clamped at 0 [rad]
 /// Domain    any two planar polygons, convex or concave, apart, touching or piercing one another's planes. One-sided:
