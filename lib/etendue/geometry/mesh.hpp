@@ -20,6 +20,8 @@ struct Mesh {
   }
 };
 
+/// The nearest hit of any triangle, the first in order among equals; every triangle is tried.             @eq IU.5.0
+/// Returns   as for Triangle; uv are its barycentric coordinates. No ray slips through a closed mesh
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Mesh& mesh);
 
 }  // namespace etendue

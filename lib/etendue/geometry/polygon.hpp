@@ -43,6 +43,15 @@ class Polygon {
   Vec3 centroid_ = Vec3::Zero();
 };
 
+/// Where a ray meets a polygon: in its plane (@eq IU.5-12, IU.5-13, RT.12), inside its boundary (@eq IU.5.6.2, E16).
+///
+/// Domain    lengths between 2^-200 and 2^200; D of any length
+/// Returns   as for Plane; uv: coordinates from vertex 0, u along the first edge, v to its left, in scene units
+/// Hits      half of the boundary belongs to it: see encloses(). A point within point_error of the boundary may be
+///           decided either way, as the point itself is rounded; the test of the rounded point is exact
+/// Accuracy  t within kPlaneUlps, for the plane through centroid() with normal(): proved
+/// Errors    ContractViolation where the direction is zero or not finite
+/// Source    [IU] 5.6.2, mended (docs/errata.md, E16, G9)
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon);
 
 }  // namespace etendue
