@@ -112,6 +112,34 @@ TEST(Sphere, KeepsItsUlpsFromInsideAndFromTheSurface) {
   expect_sound(tally);
 }
 
+// CLAIM      IU.5-11, E14: the same where DoubleDouble runs out of digits: a sphere that touches the coordinates'
+// origin, rays
+//            from beside that point, where doubles are as fine as 2^-110 and c = λ − R² is as small, mostly along the
+//            surface.
+// ORACLE     exact, as above.
+// TOLERANCE  as above; both sides of the surface must occur.
+TEST(Sphere, KeepsItsUlpsWhereOnlyExactNumbersTell) {
+  proves({"IU.5-11", "E14"}, Oracle::exact, "rational discriminant, roots at 1000 bits");
+  Random random(207);
+  Tally tally;
+  std::uint64_t outside = 0;
+  for (int i = 0; i < 5'000; ++i) {
+    const double radius = random.scale(0.1, 10);
+    const Sphere touching{{radius, 0, 0}, radius};
+    const double y = random.scale(1e-12, 1e-6), z = random.scale(1e-12, 1e-6);
+    const double depth = (y * y + z * z) / (2 * radius);
+    Ray ray;
+    ray.origin = {depth * (1 + 0x1p-52 * std::round(random.uniform(-3, 3))), y, z};
+    ray.direction = {random.scale(1e-18, 1) * (random.bits() % 2 ? 1 : -1), random.uniform(-1, 1),
+                     random.uniform(-1, 1)};
+    outside += exact_roots(ray, touching).origin_side > 0;
+    compare(ray, touching, tally);
+  }
+  EXPECT_GT(outside, 1'000u);
+  EXPECT_LT(outside, 4'000u);
+  expect_sound(tally);
+}
+
 // CLAIM      G15: μ − √γ loses 10⁶ to 10⁷ ulp at a million radii; intersect() keeps kSphereUlps there.
 // ORACLE     exact, as above.
 // TOLERANCE  the printed form must be worse than 10⁶ ulp; ours kSphereUlps.
