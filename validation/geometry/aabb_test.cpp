@@ -100,14 +100,14 @@ TEST(Aabb, BoundsAreTight) {
   Ray ray;
   ray.origin = {-9, 0, 0};
   ray.direction = {1, 0, 0};
-  EXPECT_TRUE(meets(ray, Aabb{{-1, -1, -1}, {1, 1, 1}}));
-  EXPECT_TRUE(meets(ray, Aabb{{-1, 0, 0}, {1, 1, 1}})) << "in a face";
-  EXPECT_FALSE(meets(ray, Aabb{{-1, 0.001, -1}, {1, 1, 1}}));
-  EXPECT_FALSE(meets(ray, Aabb{{-12, -1, -1}, {-10, 1, 1}})) << "behind";
+  EXPECT_TRUE(holds(meets(ray, Aabb{{-1, -1, -1}, {1, 1, 1}})));
+  EXPECT_TRUE(holds(meets(ray, Aabb{{-1, 0, 0}, {1, 1, 1}}))) << "in a face";
+  EXPECT_TRUE(holds(!meets(ray, Aabb{{-1, 0.001, -1}, {1, 1, 1}})));
+  EXPECT_TRUE(holds(!meets(ray, Aabb{{-12, -1, -1}, {-10, 1, 1}}))) << "behind";
   ray.t_max = 7.9;
-  EXPECT_FALSE(meets(ray, Aabb{{-1, -1, -1}, {1, 1, 1}})) << "farther than the nearest so far";
-  EXPECT_FALSE(meets(ray, Aabb{}));
-  EXPECT_TRUE(Aabb{}.empty());
+  EXPECT_TRUE(holds(!meets(ray, Aabb{{-1, -1, -1}, {1, 1, 1}}))) << "farther than the nearest so far";
+  EXPECT_TRUE(holds(!meets(ray, Aabb{})));
+  EXPECT_TRUE(holds(Aabb{}.empty()));
 }
 
 }  // namespace

@@ -202,12 +202,12 @@ TEST(Sphere, IsNotHitAtTheOriginOfTheRay) {
   };
   const double mu = -1, gamma = mu * mu - 1 + 1;
   EXPECT_EQ(mu + std::sqrt(gamma), 0) << "the printed rule answers t = 0";
-  EXPECT_FALSE(intersect(from({1, 0, 0}, {1, 0, 0}), unit));
-  EXPECT_FALSE(intersect(from({1, 0, 0}, {0, 1, 0}), unit));
+  EXPECT_TRUE(holds(!intersect(from({1, 0, 0}, {1, 0, 0}), unit)));
+  EXPECT_TRUE(holds(!intersect(from({1, 0, 0}, {0, 1, 0}), unit)));
   const auto through = intersect(from({1, 0, 0}, {-1, 0, 0}), unit);
   ASSERT_TRUE(through);
   EXPECT_TRUE(near(through->t, 2, 0));
-  EXPECT_EQ(through->normal, Vec3(-1, 0, 0));
+  EXPECT_TRUE(holds(through->normal == Vec3(-1, 0, 0)));
 }
 
 // CLAIM      E15, IU.5-10: with μ ≤ 0 the intersections lie behind the origin (not beyond it): outside is a miss.
