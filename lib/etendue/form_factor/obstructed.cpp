@@ -23,13 +23,14 @@ namespace {
 
 using Points = std::vector<Vec3>;
 
-constexpr int kCoarseNodes = 3;
-constexpr int kFineNodes = 5;
+constexpr int kCoarseNodes = 2;
+constexpr int kFineNodes = 4;
 /// Point evaluations after which the integral is returned with the bound it has.
 constexpr int kMostEvaluations = 60000;
-/// The embedded difference overestimates the error of the finer rule on smooth cells; elsewhere it may be lucky, so the
-/// sum of all differences counts twice.
+/// The embedded difference may be lucky where the integrand is not smooth, so the sum of all errors counts twice.
 constexpr double kSafety = 2;
+/// Where no critical line crosses the cell the difference is the error of the coarser rule, four orders behind the finer.
+constexpr double kSmoothShare = 0.1;
 /// In a cell that a critical line crosses, the spread of the samples times this is the least error believed.
 constexpr double kCrossedSpread = 0.02;
 
@@ -190,7 +191,9 @@ class OuterIntegral {
     cell.visible = fine.visible;
     cell.hidden = fine.hidden;
     cell.error = std::max(std::abs(fine.visible - coarse.visible), std::abs(fine.hidden - coarse.hidden));
-    if (!cell.lines.empty()) {
+    if (cell.lines.empty()) {
+      cell.error *= kSmoothShare;
+    } else {
       const double spread = std::max(fine.high, coarse.high) - std::min(fine.low, coarse.low);
       cell.error = std::max(cell.error, kCrossedSpread * spread * cell.area);
     }
