@@ -171,8 +171,8 @@ Scene behind_glass(const Vec3& slab_normal) {
   return scene;
 }
 
-// CLAIM      IU.4.3b, IU.4.3d, IU.4.3c: behind a slab of glass a pattern appears displaced: each ray goes on parallel, moved by
-//            the slab's w (1 − cos θ / (η cos φ)) along −N... and the pixel shows what stands there, not what stood there without.
+// CLAIM      IU.4.3b, IU.4.3c, IU.4.3d: a slab of glass displaces what is seen through it: each ray leaves parallel to the
+//            entering one, and the pixel shows what stands there, not what would be seen without the slab.
 // ORACLE     known render: the displaced ray's foot on the pattern, in closed form and long double.
 // TOLERANCE  a pixel is decided unless the foot lies within 1000 u · 10 of the border (ray length 10, two refractions of
 //            30 u and the direction's 200 u); none is undecided.
