@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
 constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
 constexpr double kMostExposure = 1e6;
+constexpr int kMostColumns = 1 << 14;
 
 struct Request {
   CommonOptions common;
@@ -35,6 +37,7 @@ struct Request {
   std::string accelerator = "bvh";
   double exposure = 1;
   std::string pixel;  ///< of --ray-tree, as typed
+  int columns = 0;    ///< 0: as the scene says
 };
 
 /// The picture's file name without its extension: as --output says, or that of the scene or of its folder.
@@ -148,6 +151,14 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
   out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
+/// The scene with a picture of so many columns; rows in proportion, at least one.
+Scene resized(Scene scene, int columns) {
+  const double rows = static_cast<double>(columns) * scene.camera.rows / scene.camera.columns;
+  scene.camera.columns = columns;
+  scene.camera.rows = std::max(1, static_cast<int>(std::lround(rows)));
+  return scene;
+}
+
 struct Pixel {
   int column, row;
 };
@@ -196,6 +207,8 @@ void declare(Options& options, Request& request) {
                request.render.limits.cutoff, 0, 1);
   options.integer("--samples", "N", "N × N rays a pixel (default: 2)", request.render.samples_per_side, 1,
                   kMostSamples);
+  options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
+                  request.columns, 1, kMostColumns);
   options.choice("--accelerator", {"bvh", "brute"}, "bounding volumes or every surface; same picture (default: bvh)",
                  request.accelerator);
   options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
@@ -227,8 +240,9 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
     const auto writable = check_image_path(request.common.output);
     if (!writable) return fail(err, writable.error());
   }
-  const auto file = read_scene(request.scene);
+  auto file = read_scene(request.scene);
   if (!file) return fail(err, file.error());
+  if (request.columns > 0) file = SceneFile{resized(file->scene, request.columns), file->hash};
   const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
   const auto accelerator = make_accelerator(file->scene, kind);
   if (!picture) return explain_pixel(request, options, *accelerator, out, err);

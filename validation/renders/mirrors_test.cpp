@@ -5,6 +5,7 @@
 #include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/render.hpp"
 #include "support/evidence.hpp"
+#include "support/image_compare.hpp"
 #include "support/process.hpp"
 
 namespace etendue::validation {
@@ -79,6 +80,18 @@ TEST(MirrorScene, GainsOneReflectionALevel) {
     EXPECT_TRUE(all_agree(wrong, 64 * 64));
   }
   for (const std::size_t order : {0u, 1u, 2u, 3u}) EXPECT_GT(of_order[order], 10u) << order;
+}
+
+// CLAIM      The mirror scene looks as it did: a guard against changes, no proof of anything (the proofs are the known renders).
+//            Made by: etendue render scenes/mirrors/scene.json --columns 64 --samples 1 --output scenes/mirrors/reference.exr
+// ORACLE     table: the stored picture, our own earlier output. Missing, it fails.
+// TOLERANCE  2^-23, relatively: the file holds floats.
+TEST(MirrorScene, LooksAsItDid) {
+  proves({}, Oracle::table, "scenes/mirrors/reference.exr, our own earlier output: a guard, no proof");
+  const Image image = rendered(mirrors(64), AcceleratorKind::bounding_volumes, 12, 1, 0).image;
+  const auto found = compare_with_file(image, source_root() / "scenes" / "mirrors" / "reference.exr", 0, 0x1p-23);
+  EXPECT_TRUE(found.agrees()) << found.message;
+  EXPECT_TRUE(all_agree(found.pixels_above, image.pixels.size()));
 }
 
 // CLAIM      IU.f49, its content: 9 spheres, 9 cylinders, 2 polygons with global reflectivity 0.9 and nothing else, 1 plane (and

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "etendue/io/image_file.hpp"
+#include "support/evidence.hpp"
+#include "support/process.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace etendue::validation {
+namespace {
+
+std::string mirrors() {
+  return (source_root() / "scenes" / "mirrors" / "scene.json").string();
+}
+
+// CLAIM      The tree of rays of a pixel can be printed and drawn from the command line.
+// ORACLE     table: the scene: from mirror to mirror, each taking a tenth.
+// TOLERANCE  none.
+TEST(RenderCommand, PrintsAndDrawsARayTree) {
+  proves({"IU.f36"}, Oracle::table, "a path between the two mirrors of the mirror scene");
+  const Ended printed = run_etendue({"render", mirrors(), "--ray-tree", "295,235", "--depth", "2"});
+  EXPECT_EQ(printed.code, 0) << printed.err;
+  EXPECT_EQ(printed.out,
+            "R weight 1 meets wall mirror/glass\n"
+            "  R1 weight 0.9 meets standing mirror/glass\n"
+            "    R2 weight 0.81 meets wall mirror/glass\n"
+            "      R3 weight 0.729 is not followed: depth limit\n");
+  const TemporaryFolder folder;
+  const auto dot = folder.path() / "tree.dot";
+  const Ended drawn = run_etendue({"render", mirrors(), "--ray-tree", "295,235", "--output", dot.string()});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(read_text(dot).rfind("digraph ray_tree {", 0), 0u);
+  for (const char* wrong : {"500,0", "-1,0", "1", "1;2", "1,2x", ""}) {
+    if (*wrong == 0) continue;
+    const Ended refused = run_etendue({"render", mirrors(), std::string("--ray-tree=") + wrong});
+    EXPECT_EQ(refused.code, 2) << wrong;
+    EXPECT_NE(refused.err.find("expected COLUMN,ROW"), std::string::npos) << refused.err;
+  }
+}
+
+// CLAIM      render writes EXR and PNG with what made them, and a report that a machine can read; --columns scales the picture.
+// ORACLE     identity: what was asked for.
+// TOLERANCE  none.
+TEST(RenderCommand, WritesBothPicturesAndAReport) {
+  proves({}, Oracle::identity, "the options of the run");
+  const TemporaryFolder folder;
+  const Ended ended = run_etendue({"render", mirrors(), "--columns", "20", "--samples", "1", "--depth", "3", "--cutoff",
+                                   "0.01", "--json", "--output", (folder.path() / "m.png").string()});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto report = nlohmann::json::parse(ended.out);
+  EXPECT_EQ(report["picture"]["columns"], 20);
+  EXPECT_EQ(report["picture"]["rows"], 20);
+  EXPECT_EQ(report["picture"]["complete"], true);
+  EXPECT_EQ(report["rays"]["eye"], 400);
+  const auto image = read_image(folder.path() / "m.exr");
+  ASSERT_TRUE(image.ok()) << image.error().message;
+  EXPECT_EQ(image->columns, 20);
+  EXPECT_TRUE(read_image(folder.path() / "m.png").ok());
+  const auto facts = read_image_metadata(folder.path() / "m.exr");
+  ASSERT_TRUE(facts.ok());
+  const auto fact = [&](const std::string& name) {
+    for (const auto& each : *facts) {
+      if (each.first == name) return each.second;
+    }
+    return std::string("missing");
+  };
+  EXPECT_EQ(fact("etendue:depth"), "3");
+  EXPECT_EQ(fact("etendue:cutoff"), "0.01");
+  EXPECT_EQ(fact("etendue:samples_per_side"), "1");
+  EXPECT_EQ(fact("etendue:scene_hash"), report["scene"]["hash"].get<std::string>());
+  EXPECT_EQ(fact("etendue:rows"), "20 of 20");
+}
+
+}  // namespace
+}  // namespace etendue::validation
