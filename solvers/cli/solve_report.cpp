@@ -56,14 +56,14 @@ Json channel_summary(const ChannelRadiosity& channel) {
           {"balance_defect_watts", channel.balance.defect}};
 }
 
+/// What the scene and the settings determine: nothing that differs between two runs.
 Json summary(const SolveReport& report) {
   const FormFactorMatrix& matrix = report.matrix;
   Json json;
   json["program"] = std::string("etendue ") + version();
   json["method"] = "radiosity, full matrix";
   json["status"] = report.solution ? "solved" : "stopped";
-  json["scene"] = {{"file", report.scene_path.string()},
-                   {"name", report.file.scene.name},
+  json["scene"] = {{"name", report.file.scene.name},
                    {"hash", report.file.hash},
                    {"metres_per_unit", report.file.scene.metres_per_unit}};
   json["settings"] = {{"solver", report.solver},
@@ -89,11 +89,9 @@ Json summary(const SolveReport& report) {
                         {"clamped", report.vertices.clamped},
                         {"without_inner_neighbour", report.vertices.without_interior}};
     json["exposure"] = report.exposure;
-    json["files"] = {{"exr", report.exr.string()}, {"png", report.png.string()}, {"json", report.json.string()}};
   } else {
     json["rows_done"] = rows_done(report);
   }
-  json["seconds"] = report.seconds;
   return json;
 }
 
@@ -121,7 +119,14 @@ Json element_json(const SolveReport& report, std::size_t k) {
 }  // namespace
 
 std::string summary_json(const SolveReport& report) {
-  return dumped(summary(report));
+  Json json = summary(report);
+  json["files"] = {{"scene", report.scene_path.string()}, {"json", report.json.string()}};
+  if (report.solution) {
+    json["files"]["exr"] = report.exr.string();
+    json["files"]["png"] = report.png.string();
+  }
+  json["seconds"] = report.seconds;
+  return dumped(json);
 }
 
 std::string full_json(const SolveReport& report) {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/meshing/elements.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "meshing/small_scenes.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+// CLAIM      IU.6.7.1 (patches and elements): a quadrilateral of 6 × 4 elements in 3 × 2 patches has 24 elements of
+// equal
+//            area in 6 patches of four neighbours each; corners are shared to the last bit, so the areas leave no gap.
+// ORACLE     closed form: counts, areas and centroids of a rectangle's grid, in dyadic coordinates.
+// TOLERANCE  none: every number is exact in double.
+TEST(Elements, DivideAQuadrilateralIntoElementsAndPatches) {
+  proves({"IU.f62"}, Oracle::closed_form, "the grid of a rectangle in dyadic coordinates");
+  Scene scene = scene_of({quadrilateral({0, 0, 1}, {6, 0, 1}, {6, 4, 1}, {0, 4, 1})});
+  scene.objects[0].subdivision = {{6, 4}, {3, 2}};
+  const auto mesh = mesh_elements(scene);
+  ASSERT_TRUE(mesh.ok());
+  ASSERT_EQ(mesh->elements.size(), 24u);
+  EXPECT_EQ(mesh->patches, 6u);
+  std::uint64_t wrong = 0, checked = 0;
+  std::map<std::size_t, std::vector<Vec3>> members;
+  for (std::size_t k = 0; k < 24; ++k, ++checked) {
+    const Element& element = mesh->elements[k];
+    const Vec3 expected(0.5 + static_cast<double>(k % 6), 0.5 + static_cast<double>(k / 6), 1);
+    wrong += element.polygon.centroid() != expected || element.polygon.area() != 1 ||
+             element.polygon.normal() != Vec3::UnitZ();
+    members[element.patch].push_back(expected);
+  }
+  EXPECT_TRUE(all_agree(wrong, checked));
+  for (const auto& [patch, centroids] : members) {
+    ASSERT_EQ(centroids.size(), 4u) << patch;
+    for (const Vec3& centroid : centroids) EXPECT_LE((centroid - centroids.front()).cwiseAbs().sum(), 2);
+  }
+}
+
+// CLAIM      Neighbouring elements share corners bit by bit on a skew quadrilateral in general position: 7 × 5 elements
+//            have 8 · 6 distinct corners.
+// ORACLE     identity: Euler's count of a grid.
+// TOLERANCE  none: equality of doubles.
+TEST(Elements, ShareTheirCornersToTheLastBit) {
+  proves({"IU.f62"}, Oracle::identity, "number of vertices of a grid");
+  const Vec3 origin(0.1, 0.7, -0.3), u(1.1, 0.3, 0.9), v(-0.2, 1.7, 0.13);
+  Scene scene = scene_of({quadrilateral(origin, origin + u, origin + u + v, origin + v)});
+  scene.objects[0].subdivision = {{7, 5}, {1, 1}};
+  const auto mesh = mesh_elements(scene);
+  ASSERT_TRUE(mesh.ok());
+  std::set<std::array<double, 3>> corners;
+  for (const Element& element : mesh->elements) {
+    for (const Vec3& p : element.polygon.vertices()) corners.insert({p.x(), p.y(), p.z()});
+  }
+  EXPECT_EQ(corners.size(), 48u);
+  EXPECT_EQ(mesh->elements.size(), 35u);
+}
+
+// CLAIM      A box has six faces that look outward, and a mesh an element a triangle.
+// ORACLE     identity: the divergence theorem: Σ A_i n_i · c_i / 3 is the volume, positive for outward normals, and
+//            Σ A_i n_i = 0 for a closed surface.
+// TOLERANCE  16 roundings of magnitudes below 16 for the turned box.
+TEST(Elements, TurnTheFacesOfABoxOutward) {
+  proves({"IU.f62"}, Oracle::identity, "divergence theorem");
+  Mat3 axes;
+  axes << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+  Scene scene = scene_of({Box{{1, 2, 3}, axes, {0.5, 1, 1.5}}});
+  scene.objects[0].subdivision = {{2, 2}, {1, 1}};
+  const auto mesh = mesh_elements(scene);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_EQ(mesh->faces.size(), 6u);
+  EXPECT_EQ(mesh->elements.size(), 24u);
+  EXPECT_EQ(mesh->patches, 6u);
+  double volume = 0;
+  Vec3 closed = Vec3::Zero();
+  for (const Element& element : mesh->elements) {
+    volume += element.polygon.area() * element.polygon.normal().dot(element.polygon.centroid()) / 3;
+    closed += element.polygon.area() * element.polygon.normal();
+  }
+  constexpr double tolerance = 24 * 16 * 16 * 0x1p-53;
+  EXPECT_TRUE(near(volume, 6, tolerance));
+  EXPECT_TRUE(near(closed.norm(), 0, tolerance));
+
+  const Mesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const auto triangles = mesh_elements(scene_of({tetrahedron}));
+  ASSERT_TRUE(triangles.ok());
+  EXPECT_EQ(triangles->elements.size(), 4u);
+  EXPECT_EQ(triangles->faces.size(), 4u);
+}
+
+// CLAIM      What cannot be divided is refused; the message names the object and says what to use.
+// ORACLE     identity: scenes with one such object each.
+// TOLERANCE  none: refusals and their words.
+TEST(Elements, RefuseWhatCannotBeDivided) {
+  proves({"IU.f62"}, Oracle::identity, "scenes with one defect each");
+  struct Case {
+    Shape shape;
+    Subdivision subdivision;
+    const char* words;
+  };
+  const Polygon dart = polygon({{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}});
+  const Polygon square = polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+  const Triangle triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<Case> cases{
+      {Sphere{{0, 0, 0}, 1}, {}, "is a sphere: radiosity elements are flat; approximate it by a mesh"},
+      {Disc{{0, 0, 0}, {0, 0, 1}, 1}, {}, "is a disc"},
+      {Cylinder{{0, 0, 0}, {0, 0, 1}, 1}, {}, "is a cylinder"},
+      {Plane{{0, 0, 0}, {0, 0, 1}}, {}, "use a polygon"},
+      {dart, {}, "is concave"},
+      {triangle, {{2, 1}, {1, 1}}, "has 3 corners: only quadrilaterals can be subdivided"},
+      {square, {{3, 2}, {2, 1}}, "3 × 2 elements in 2 × 1 patches: patches must divide the elements"},
+  };
+  for (const Case& one : cases) {
+    Scene scene = scene_of({one.shape});
+    scene.objects[0].subdivision = one.subdivision;
+    const auto refused = mesh_elements(scene);
+    ASSERT_FALSE(refused.ok()) << one.words;
+    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
+    EXPECT_NE(refused.error().message.find("object 'object 0'"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.find(one.words), std::string::npos) << refused.error().message;
+  }
+  EXPECT_TRUE(mesh_elements(scene_of({triangle})).ok());
+  EXPECT_FALSE(mesh_elements(Scene{}).ok());
+}
+
+}  // namespace
+}  // namespace etendue::validation

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/view/radiosity_view.hpp"
+
+#include <cmath>
+#include <optional>
+#include <random>
+
+#include "meshing/small_scenes.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+// The point of the plane z = 0 under a picture position [pixels], by IU.5.2 written out here.
+std::optional<Vec3> seen_point(const Camera& camera, double column, double row) {
+  const Vec3 g = camera.gaze.normalized();
+  const Vec3 x = g.cross(camera.up).normalized();
+  const Vec3 y = x.cross(g);
+  const double tan_h = std::tan(camera.horizontal_half_angle);
+  const double tan_v = tan_h * camera.rows / camera.columns;
+  const Vec3 d = g + (2 * column / camera.columns - 1) * tan_h * x + (1 - 2 * row / camera.rows) * tan_v * y;
+  if (d.z() >= 0) return std::nullopt;
+  return Vec3(camera.eye - camera.eye.z() / d.z() * d);
+}
+
+// CLAIM      IU.6.5v, IU.6.5: one solution serves any view: whatever the camera, a pixel shows the radiosity at the
+// point
+//            that its centre's ray meets; Gouraud interpolation on the surface reproduces a linear field.
+// ORACLE     closed form: the field at the intersection of the ray of IU.5.2 with the floor.
+// TOLERANCE  corners are snapped to 1/4096 pixel: the shown point moves by at most 1/4096 of a pixel's footprint (taken
+// to
+//            the neighbouring pixels, doubled), times the field's gradient 2; plus 1e-12 for rounding of values
+//            near 50.
+TEST(RadiosityView, ShowsTheSameValueFromEveryCamera) {
+  proves({"IU.6.5v", "IU.6.5", "IU.5.2"}, Oracle::closed_form,
+         "a linear field at the ray's intersection with the floor");
+  Scene scene = scene_of({quadrilateral({-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0})});
+  scene.objects[0].subdivision = {{4, 5}, {1, 1}};
+  const ElementMesh mesh = *mesh_elements(scene);
+  const auto field = [](const Vec3& p) { return 50 + 1.2 * p.x() - 1.6 * p.y(); };
+  std::vector<Rgb> radiosity;
+  for (const Element& element : mesh.elements) radiosity.push_back(Rgb::Constant(field(element.polygon.centroid())));
+  const VertexRadiosities vertices = vertex_radiosities(mesh, radiosity);
+
+  std::mt19937_64 random(61);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  std::uint64_t floor_pixels = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    Camera camera;
+    const double x = 3 * entry(random), y = 3 * entry(random);
+    camera.eye = Vec3(x, y, 2.5 + entry(random));
+    const double tilt = entry(random), turn = entry(random);
+    camera.gaze = Vec3(tilt, turn, -0.8);
+    camera.up = Vec3(entry(random), 1, 0.3);
+    camera.horizontal_half_angle = 0.6;
+    camera.columns = 48;
+    camera.rows = 32;
+    const auto picture = view_radiosities(camera, mesh, vertices, Rgb::Constant(-1), 1);
+    ASSERT_TRUE(picture.ok());
+    for (int row = 0; row < camera.rows; ++row) {
+      for (int column = 0; column < camera.columns; ++column) {
+        const auto point = seen_point(camera, column + 0.5, row + 0.5);
+        const auto right = seen_point(camera, column + 1.5, row + 0.5),
+                   below = seen_point(camera, column + 0.5, row + 1.5);
+        if (!point || !right || !below) continue;
+        const double footprint = 2 * ((*right - *point).norm() + (*below - *point).norm());
+        const double value = picture->at(column, row)(0);
+        const double inside = 5 - point->cwiseAbs().maxCoeff();
+        if (std::abs(inside) <= footprint) continue;  // the snapped boundary may go either way
+        if (inside < 0) {
+          EXPECT_EQ(value, -1) << "nothing is there";
+          continue;
+        }
+        ++floor_pixels;
+        EXPECT_TRUE(near(value, field(*point), 2 * footprint / 4096 + 1e-12));
+      }
+    }
+  }
+  EXPECT_GT(floor_pixels, 5000u);
+}
+
+// CLAIM      The nearer surface hides the farther one whatever the order of drawing; surfaces show their front only;
+// what
+//            lies behind the eye is cut away.
+// ORACLE     known render: a small square before a large one, seen along their normals.
+// TOLERANCE  none: pixels well inside or outside the small square's projection.
+TEST(RadiosityView, HidesWhatIsBehindAndTurnedAway) {
+  proves({"IU.6.5"}, Oracle::render, "two squares one behind the other");
+  const auto square = [](double half, double z) {
+    return quadrilateral({-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z});
+  };
+  const auto turned = [](double half, double z) {
+    return quadrilateral({-half, half, z}, {half, half, z}, {half, -half, z}, {-half, -half, z});
+  };
+  Camera camera;
+  camera.eye = Vec3(0, 0, 4);
+  camera.gaze = Vec3(0, 0, -1);
+  camera.up = Vec3(0, 1, 0);
+  camera.horizontal_half_angle = std::atan(1.0);
+  camera.columns = camera.rows = 40;
+  // The far square (2 half, distance 4) covers half the picture's side, the near one (0.5, distance 2) a quarter.
+  for (const bool near_first : {true, false}) {
+    Scene scene = near_first ? scene_of({square(0.5, 2), square(2, 0), turned(3, 3), square(3, 5)})
+                             : scene_of({square(2, 0), square(0.5, 2), square(3, 5), turned(3, 3)});
+    const ElementMesh mesh = *mesh_elements(scene);
+    std::vector<Rgb> radiosity;
+    for (const Element& element : mesh.elements) {
+      radiosity.push_back(Rgb::Constant(1 + std::abs(element.polygon.centroid().z())));
+    }
+    const auto picture = view_radiosities(camera, mesh, vertex_radiosities(mesh, radiosity), Rgb::Zero(), 2);
+    ASSERT_TRUE(picture.ok());
+    std::uint64_t wrong = 0, decided = 0;
+    for (int row = 0; row < 40; ++row) {
+      for (int column = 0; column < 40; ++column) {
+        const double side = std::max(std::abs(column + 0.5 - 20), std::abs(row + 0.5 - 20));
+        const double expected = side < 5 ? 3 : side < 10 ? 1 : 0;
+        wrong += std::abs(picture->at(column, row)(0) - expected) > 8 * 0x1p-52;  // weights sum to one after rounding
+        ++decided;
+      }
+    }
+    EXPECT_TRUE(all_agree(wrong, decided));
+  }
+}
+
+// CLAIM      A camera that stands in the room, before and behind its walls, sees a wall in every pixel: the near plane
+// cuts
+//            no hole, shared edges leave no gap.
+// ORACLE     known render: a closed room of uniform radiosity is uniform.
+// TOLERANCE  8 roundings of one: the interpolation's weights.
+TEST(RadiosityView, LeavesNoGapInAClosedRoom) {
+  proves({"IU.6.5", "IU.6.5v"}, Oracle::render, "a uniform closed room");
+  Scene scene = room_of({-1.3, -0.7, -2.1}, {2.2, 3.1, 0.9});
+  for (std::size_t k = 0; k < 6; ++k) scene.objects[k].subdivision = {{static_cast<int>(k) + 2, 5}, {1, 1}};
+  const ElementMesh mesh = *mesh_elements(scene);
+  const auto vertices = vertex_radiosities(mesh, std::vector<Rgb>(mesh.elements.size(), Rgb::Ones()));
+  std::mt19937_64 random(62);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  double worst = 0;
+  for (int trial = 0; trial < 25; ++trial) {
+    Camera camera;
+    const double x = 0.6 * entry(random), y = 0.6 * entry(random);
+    camera.eye = Vec3(x, y, -0.5);
+    const double gx = entry(random), gy = entry(random);
+    camera.gaze = Vec3(gx, gy, entry(random));
+    camera.up = Vec3(0.1, 0.2, 1);
+    camera.horizontal_half_angle = 0.5 + 0.02 * trial;
+    camera.columns = 64;
+    camera.rows = 48;
+    const auto picture = view_radiosities(camera, mesh, vertices, Rgb::Constant(-100), 1);
+    ASSERT_TRUE(picture.ok());
+    for (const auto& pixel : picture->pixels) worst = std::max(worst, std::abs(pixel(0) - 1));
+  }
+  EXPECT_TRUE(within(worst, 8 * 0x1p-53));
+}
+
+// CLAIM      Pictures that cannot be drawn are refused, as are cameras that see nothing definite.
+// ORACLE     identity: such cameras.
+// TOLERANCE  none: refusals.
+TEST(RadiosityView, RefusesImpossibleCameras) {
+  proves({"IU.5.2", "G11"}, Oracle::identity, "cameras with one defect each");
+  const ElementMesh mesh = *mesh_elements(room_of({0, 0, 0}, {1, 1, 1}));
+  const auto vertices = vertex_radiosities(mesh, std::vector<Rgb>(6, Rgb::Ones()));
+  Camera camera;
+  camera.up = camera.gaze;
+  EXPECT_FALSE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 1).ok());
+  camera = Camera{};
+  camera.columns = 60000;
+  camera.rows = 1;
+  EXPECT_FALSE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 2).ok());
+  EXPECT_TRUE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 1).ok());
+}
+
+}  // namespace
+}  // namespace etendue::validation
