@@ -149,6 +149,8 @@ TEST(FormFactorMatrix, DecidesSightConservatively) {
   proves({"IU.6-4"}, Oracle::program, "sampled segments against rectangles");
   Scene scene = room_with_screen();
   scene.objects.push_back({"box", Box{{3.5, 0.75, 0.5}, Mat3::Identity(), {0.25, 0.25, 0.5}}, 0, {}});
+  // Between the screen and the box: hides each from the other altogether.
+  scene.objects.push_back({"partition", quadrilateral({3, 0.2, 0.1}, {3, 2, 0.1}, {3, 2, 1.8}, {3, 0.2, 1.8}), 0, {}});
   const ElementMesh mesh = *mesh_elements(scene);
   const SightMap sights(mesh);
   std::mt19937_64 random(70);

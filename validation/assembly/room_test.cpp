@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <map>
+
+#include "etendue/assembly/scene_radiosity.hpp"
+#include "etendue/io/scene_reader.hpp"
+#include "support/evidence.hpp"
+#include "support/process.hpp"
+
+namespace etendue::validation {
+namespace {
+
+// The closure that obstructed form factors reach is measured, not proved: 8e-8 in the room as it is (scenes/room).
+constexpr double kMeasuredClosure = 1e-5;
+
+Scene room() {
+  return read_scene(source_root() / "scenes/room/scene.json").value().scene;
+}
+
+// The room with cells of 1 m × 1.1 m on the floor, on which the boxes still stand exactly: 160 elements.
+Scene coarse_room() {
+  Scene scene = room();
+  for (Object& object : scene.objects) {
+    const bool ten = object.subdivision.elements[0] == 10;
+    object.subdivision = {{ten ? 5 : 1, ten ? 5 : 1}, {1, 1}};
+  }
+  return scene;
+}
+
+struct Solved {
+  ElementMesh mesh;
+  ClosureReport closure;
+  SceneRadiosity radiosity;
+};
+
+// The division of the coarse room and its form factors, which do not depend on the paint: computed once.
+const FormFactorMatrix& coarse_factors() {
+  static const FormFactorMatrix matrix =
+      assemble_form_factors(*mesh_elements(coarse_room()), {{1e-12, 1e-15}, {1e-4, 1e-7}}, {});
+  return matrix;
+}
+
+Solved solved(const Scene& scene) {
+  const auto solver = DirectSolver::gaussian_elimination;
+  Solved result{*mesh_elements(scene), closure_report(coarse_factors()), {}};
+  result.radiosity = solve_scene_radiosity(scene, result.mesh, coarse_factors(), solver).value();
+  return result;
+}
+
+// Mean radiosity of the object of this name.
+Rgb mean(const Scene& scene, const Solved& room, const std::string& name) {
+  Rgb power = Rgb::Zero();
+  double area = 0;
+  for (std::size_t k = 0; k < room.mesh.elements.size(); ++k) {
+    const Element& element = room.mesh.elements[k];
+    if (scene.objects[room.mesh.face_of(element).object].name != name) continue;
+    power += element.polygon.area() * room.radiosity.radiosity[k];
+    area += element.polygon.area();
+  }
+  require(area > 0, "mean: the room has this object");
+  return power / area;
+}
+
+Scene with_wall_painted(Scene scene, const std::string& wall, const Rgb& reflectance) {
+  for (Material& material : scene.materials) {
+    if (material.name == wall) material.rho = reflectance;
+  }
+  return scene;
+}
+
+// CLAIM      IU.f62, E28: the room has four walls, floor and ceiling of 100 elements, a yellow box and a grey box of 20
+//            elements in 5 patches, and a light of one; walls have 50 patches of two elements, since the printed 52
+//            does not divide 100.
+// ORACLE     closed form: the counts of the text.
+// TOLERANCE  none: counts.
+TEST(Room, HasTheElementsAndPatchesOfTheText) {
+  proves({"IU.f62", "E28"}, Oracle::closed_form, "the counts of the text");
+  const Scene scene = room();
+  const ElementMesh mesh = *mesh_elements(scene);
+  std::map<std::string, std::size_t> elements;
+  for (const Element& element : mesh.elements) {
+    const std::string& name = scene.objects[mesh.face_of(element).object].name;
+    ++elements[name.substr(0, name.find(','))];
+  }
+  const std::map<std::string, std::size_t> expected{{"red wall", 100},   {"blue wall", 100}, {"light grey wall", 100},
+                                                    {"black wall", 100}, {"floor", 100},     {"ceiling", 100},
+                                                    {"yellow box", 20},  {"grey box", 20},   {"light", 1}};
+  EXPECT_EQ(elements, expected);
+  EXPECT_EQ(mesh.elements.size(), 641u);
+  EXPECT_EQ(mesh.patches, 6u * 50 + 2 * 5 + 1);
+  EXPECT_NE(100 % 52, 0);
+  Scene printed = scene;
+  printed.objects[0].subdivision.patches[0] = 52;
+  printed.objects[0].subdivision.patches[1] = 1;
+  EXPECT_FALSE(mesh_elements(printed).ok());
+}
+
+// CLAIM      IU.f62, IU.6-6: the room is closed: every element that is not under a box sees 1, and what the light emits
+// is
+//            absorbed.
+// ORACLE     identity: closure and the balance of power.
+// TOLERANCE  kMeasuredClosure; the balance: the power that this share of all radiosity is.
+TEST(Room, IsClosedAndKeepsItsPower) {
+  proves({"IU.f62", "IU.6-6", "IU.6-1"}, Oracle::identity, "Σ_j F_ij = 1 and power in = power out");
+  const Scene scene = coarse_room();
+  const Solved room = solved(scene);
+  EXPECT_EQ(room.closure.covered.size(), 2u);
+  EXPECT_TRUE(within(room.closure.defect, kMeasuredClosure));
+  double areas = 0;
+  for (const Element& element : room.mesh.elements) areas += element.polygon.area();
+  for (const ChannelRadiosity& channel : room.radiosity.channels) {
+    const double largest = channel.solution.radiosity.maxCoeff();
+    EXPECT_TRUE(near(channel.balance.emitted, 40 * 2.5, 1e-12));
+    EXPECT_TRUE(near(channel.balance.absorbed, channel.balance.emitted, kMeasuredClosure * areas * largest));
+    EXPECT_TRUE(near(channel.balance.defect, 0, 1e-10));
+  }
+}
+
+// CLAIM      IU.6.8: colours bleed: the red wall on the near side of the yellow box, the blue wall on that of the grey
+//            box. Painting such a wall grey, with the largest of its reflectances in every channel, leaves its own
+//            channel as it was to the last bit and brightens the other two everywhere, on the near side more than on
+//            the far one.
+// ORACLE     metamorphic: channels are separate systems, and B grows with every ρ.
+// TOLERANCE  the returned bounds of both solutions; none for the channel that is untouched.
+TEST(Room, WallsBleedTheirColourOntoTheBoxes) {
+  proves({"IU.6.8", "IU.6-9"}, Oracle::metamorphic, "monotonicity in ρ, channel by channel");
+  const Scene scene = coarse_room();
+  const Solved room = solved(scene);
+  struct Case {
+    const char* wall;
+    Rgb paint;
+    Eigen::Index own, other;
+    const char* near_side;
+    const char* far_side;
+  };
+  const Case cases[] = {
+      {"red wall", Rgb::Constant(0.62), 0, 2, "yellow box, towards the red wall", "yellow box, towards the blue wall"},
+      {"blue wall", Rgb::Constant(0.62), 2, 0, "grey box, towards the blue wall", "grey box, towards the red wall"}};
+  for (const Case& one : cases) {
+    const Scene painted = with_wall_painted(scene, one.wall, one.paint);
+    const Solved grey = solved(painted);
+    const auto own = static_cast<std::size_t>(one.own), other = static_cast<std::size_t>(one.other);
+    EXPECT_TRUE(grey.radiosity.channels[own].solution.radiosity == room.radiosity.channels[own].solution.radiosity);
+    const double slack = grey.radiosity.channels[other].solution.bound + room.radiosity.channels[other].solution.bound;
+    for (std::size_t k = 0; k < room.mesh.elements.size(); ++k) {
+      const double dimmed = room.radiosity.radiosity[k](one.other) - grey.radiosity.radiosity[k](one.other);
+      EXPECT_TRUE(within(std::max(dimmed, 0.0), slack));
+    }
+    const auto bleeding = [&](const char* side) {
+      return 1 - mean(scene, room, side)(one.other) / mean(scene, grey, side)(one.other);
+    };
+    EXPECT_GT(bleeding(one.near_side), bleeding(one.far_side));
+    EXPECT_GT(bleeding(one.near_side), 0.05) << "enough to be seen";
+  }
+}
+
+}  // namespace
+}  // namespace etendue::validation
