@@ -27,8 +27,7 @@ struct Sheared {
 Shear shear_of(const Vec3& direction) {
   int z = 0;
   direction.cwiseAbs().maxCoeff(&z);
-  int x = (z + 1) % 3, y = (z + 2) % 3;
-  if (direction[z] < 0) std::swap(x, y);  // keeps the winding
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
   return {x, y, z, direction[x] / direction[z], direction[y] / direction[z], 1 / direction[z]};
 }
 
