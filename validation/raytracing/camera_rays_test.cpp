@@ -115,6 +115,23 @@ TEST(CameraRays, AreTheSameThroughAWindow) {
   }
 }
 
+// CLAIM      IU.5.2: the picture's origin is its lower left corner; inside a pixel `across` counts from the left, `down` from the
+//            top edge.
+// ORACLE     table: corners and points of a picture of 4 × 2 pixels.
+// TOLERANCE  none: dyadic numbers.
+TEST(CameraRays, CountFromTheLowerLeftCorner) {
+  proves({"IU.5.2"}, Oracle::table, "points of a picture of 4 × 2 pixels");
+  Camera camera;
+  camera.columns = 4;
+  camera.rows = 2;
+  const auto is = [](const PicturePoint& point, double x, double y) { return point.x == x && point.y == y; };
+  EXPECT_TRUE(is(picture_point(camera, 0, 1, 0, 1), 0, 0));
+  EXPECT_TRUE(is(picture_point(camera, 3, 0, 1, 0), 1, 1));
+  EXPECT_TRUE(is(picture_point(camera, 0, 0), 0.125, 0.75));
+  EXPECT_TRUE(is(picture_point(camera, 1, 0, 0.25, 0.25), 0.3125, 0.875));
+  EXPECT_TRUE(is(picture_point(camera, 2, 1, 0.75, 0.75), 0.6875, 0.125));
+}
+
 // CLAIM      G11: square pixels give tan φ = tan θ · R_y/R_x; scaling the angle instead is wrong (25.31° for 29.36° at
 //            θ = 45°, 16:9). A gaze along "up" has no picture plane and is refused.
 // ORACLE     closed form: atan(9/16) and 45° · 9/16.

@@ -11,12 +11,12 @@
 namespace etendue::validation {
 namespace {
 
-/// Looks straight down on a plane whose part x < edge shines; one unit wide and high in the picture.
-Scene half_plane(double edge, int side) {
+/// Looks straight down on a plane whose part x < right, y < top shines; one unit wide and high in the picture.
+Scene corner(double right, double top, int side) {
   Scene scene;
   Material bright;
   bright.emission = Rgb::Ones();
-  add(scene, Polygon::make({{-9, -9, 0}, {edge, -9, 0}, {edge, 9, 0}, {-9, 9, 0}}).value(), bright);
+  add(scene, Polygon::make({{-9, -9, 0}, {right, -9, 0}, {right, top, 0}, {-9, top, 0}}).value(), bright);
   scene.camera.eye = {0.5, 0.5, 0.5};
   scene.camera.gaze = {0, 0, -1};
   scene.camera.up = {0, 1, 0};
@@ -32,22 +32,26 @@ Rendering rendered(const Scene& scene, int samples, const Execution& execution =
   return render(*accelerator, options, execution).value();
 }
 
-// CLAIM      IU.5.8.1, uniform supersampling with a box filter: a pixel is the share of its N × N sample points, the centres of equal
-//            parts, that see the object; one sample in the centre sees all or nothing.
-// ORACLE     closed form: a vertical edge at e covers the samples with (i + (a + ½)/N)/R < e: count them.
+// CLAIM      IU.5.8.1, uniform supersampling with a box filter: a pixel is the share of its N × N sample points, the centres of
+//            equal parts, that see the object; one sample in the centre sees all or nothing.
+// ORACLE     closed form: a corner at (e, f) covers (i + (a + ½)/N)/R < e and (j + (b + ½)/N)/R < f: count them.
 // TOLERANCE  four roundings of the mean.
 TEST(Render, AveragesTheSamplesOfAPixel) {
-  proves({"IU.5.8.1"}, Oracle::closed_form, "samples left of a vertical edge, counted");
+  proves({"IU.5.8.1"}, Oracle::closed_form, "samples inside a corner, counted");
   constexpr int kSide = 5;
-  for (const double edge : {0.33, 0.5, 0.647, 0.791}) {
+  for (const Vec2& edge : {Vec2(0.33, 0.8125), Vec2(0.53, 0.12), Vec2(0.647, 0.355), Vec2(0.791, 0.57)}) {
     for (const int n : {1, 2, 3, 4}) {
-      const Rendering rendering = rendered(half_plane(edge, kSide), n);
-      for (int row = 0; row < kSide; ++row) {
+      const Rendering rendering = rendered(corner(edge.x(), edge.y(), kSide), n);
+      const auto covered = [&](int pixel, double limit) {
+        int count = 0;
+        for (int a = 0; a < n; ++a) count += (pixel + (a + 0.5) / n) / kSide < limit ? 1 : 0;
+        return count;
+      };
+      for (int j = 0; j < kSide; ++j) {
         for (int column = 0; column < kSide; ++column) {
-          int covered = 0;
-          for (int a = 0; a < n; ++a) covered += (column + (a + 0.5) / n) / kSide < edge ? 1 : 0;
-          const double expected = static_cast<double>(covered) / n;
-          EXPECT_TRUE(near(rendering.image.at(column, row)[0], expected, 4 * kUnitRoundoff)) << edge << " " << n;
+          const double expected = static_cast<double>(covered(column, edge.x()) * covered(j, edge.y())) / (n * n);
+          const double found = rendering.image.at(column, kSide - 1 - j)[0];
+          EXPECT_TRUE(near(found, expected, 4 * kUnitRoundoff)) << edge.transpose() << " " << n;
         }
       }
       EXPECT_EQ(rendering.counts.eye_rays, static_cast<std::uint64_t>(kSide * kSide * n * n));
@@ -60,7 +64,7 @@ TEST(Render, AveragesTheSamplesOfAPixel) {
 // TOLERANCE  none: all bits.
 TEST(Render, KeepsTheRowsThatAreDone) {
   proves({}, Oracle::metamorphic, "the complete picture");
-  const Scene scene = half_plane(2, 20);  // the whole picture is bright
+  const Scene scene = corner(2, 2, 20);  // the whole picture is bright
   const Image whole = rendered(scene, 1).image;
   std::atomic<bool> stop{false};
   Execution execution;
@@ -93,7 +97,7 @@ TEST(Render, ReportsWhatWasLeftOut) {
   Scene scene;
   add(scene, Plane{{0, 0, 0}, {0, 0, 1}}, specular(0.5, 0));
   add(scene, Plane{{0, 0, 2}, {0, 0, -1}}, specular(0.5, 0));
-  scene.camera = half_plane(0.5, 4).camera;
+  scene.camera = corner(2, 2, 4).camera;
   const auto accelerator = make_accelerator(scene, AcceleratorKind::brute_force);
   RenderOptions options;
   options.limits.depth = 6;

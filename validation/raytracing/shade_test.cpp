@@ -83,6 +83,26 @@ TEST(Shade, SumsAmbientAndLights) {
   EXPECT_TRUE(near(colour[2], 0.2 + 0.125, 8 * kUnitRoundoff));
 }
 
+// CLAIM      N is the normal on the viewer's side: a thin surface looks the same from both sides, with the light on the viewer's,
+//            and is dark with the light on the other.
+// ORACLE     closed form: cos 60°, whichever way the normal of the shape points.
+// TOLERANCE  four roundings.
+TEST(Shade, TurnsTheNormalToTheViewer) {
+  proves({"IU.5-2"}, Oracle::closed_form, "one disc with both normals, seen from both sides");
+  for (const double normal : {1.0, -1.0}) {
+    for (const double side : {1.0, -1.0}) {
+      Scene scene;
+      add(scene, Disc{{0, 0, 0}, {0, 0, normal}, 1}, diffuse(0.5));
+      DirectionalLight light = light_from(60);
+      light.direction.z() *= side;
+      scene.lights = {light};
+      const Ray view{{0, 0, 3 * side}, {0, 0, -side}}, behind{{0, 0, -3 * side}, {0, 0, side}};
+      EXPECT_TRUE(near(colour_along(view, scene)[0], 0.25, 4 * kUnitRoundoff));
+      EXPECT_EQ(colour_along(behind, scene)[0], 0);
+    }
+  }
+}
+
 // CLAIM      IU.5.4a: only a hit nearer than the light blocks; each light has its own shadow ray; a blocked light adds
 // nothing,
 //            the others and the ambient light stay.
