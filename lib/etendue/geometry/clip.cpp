@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/geometry/clip.hpp"
 
+#include "etendue/geometry/double_double3.hpp"
 #include "etendue/geometry/predicates.hpp"
 #include "etendue/geometry/resolved.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
-#include "etendue/geometry/double_double.hpp"
+#include "etendue/geometry/double_double3.hpp"
 #include "etendue/geometry/meeting.hpp"
 
 namespace etendue {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "etendue/geometry/double_double.hpp"
+#include "etendue/core/double_double.hpp"
 
 namespace etendue {
 

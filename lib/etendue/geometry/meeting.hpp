@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "etendue/geometry/double_double.hpp"
+#include "etendue/geometry/double_double3.hpp"
 #include "etendue/geometry/hit.hpp"
 #include "etendue/geometry/ray.hpp"
 

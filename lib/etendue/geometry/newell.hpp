@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "etendue/geometry/double_double.hpp"
+#include "etendue/geometry/double_double3.hpp"
 
 namespace etendue {
 

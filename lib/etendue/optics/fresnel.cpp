@@ -15,7 +15,7 @@ double fresnel_reflectance(double cosine, double eta) {
           "fresnel_reflectance: eta is a ratio of refractive indices");
   if (eta == 1) return 0;
   if (cosine == 0) return 1;
-  const DoubleDouble radicand = refraction_radicand(two_product(cosine, cosine), {1, 0}, eta);
+  const DoubleDouble radicand = refraction_radicand(exact_product(cosine, cosine), {1, 0}, eta);
   if (radicand.high <= 0) return 1;
 
   // With c, c' the two cosines: sin(φ−θ)/sin(φ+θ) = (η² − 1)/(ηc + c')², and cos(φ+θ)/cos(φ−θ) leads from it to the

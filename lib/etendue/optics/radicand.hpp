@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "etendue/optics/double_double.hpp"
+#include "etendue/core/double_double.hpp"
 
 namespace etendue {
 
@@ -13,8 +13,8 @@ namespace etendue {
 /// Symbols   dot² = cos²θ · lengths; lengths = |δ|²|s|², which is 1 for exact unit vectors
 /// Accuracy  4 u² relatively on top of the arguments' errors in each of the two terms, NOTES.md §3
 inline DoubleDouble refraction_radicand(const DoubleDouble& dot_squared, const DoubleDouble& lengths, double eta) {
-  const DoubleDouble curvature = two_sum(1, -eta) * two_sum(1, eta);
-  return two_product(eta, eta) * dot_squared + curvature * lengths;
+  const DoubleDouble curvature = exact_sum(1, -eta) * exact_sum(1, eta);
+  return exact_product(eta, eta) * dot_squared + curvature * lengths;
 }
 
 }  // namespace etendue

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/optics/accurate_products.hpp"
 #include "etendue/optics/radicand.hpp"
 #include "etendue/optics/unit.hpp"
 
