@@ -8,8 +8,8 @@
 
 #include "etendue/geometry/vector.hpp"
 
-// Random points, directions and frames for the tests of geometry. The same numbers from every compiler and library:
-// only the generator itself is taken from <random>.
+// Random points, directions and frames for the tests of geometry. The same numbers from every standard library: only the
+// generator itself is taken from <random>. A call that draws twice among its arguments draws in the compiler's order.
 namespace etendue::validation {
 
 class Random {

@@ -58,7 +58,8 @@ void spawn_from(const Shape& shape, const Ray& ray, bool flat, Random& random, T
     const Vec3 outside = flat && random.bits() % 2 ? Vec3(-hit->normal) : hit->normal;
     Ray next;
     next.direction = leaving(outside, random) * random.scale(1e-3, 1e3);
-    if (next.direction.dot(outside) <= 0) continue;
+    // Grazing directions may lead to the other side by rounding; that is decided exactly.
+    if (oracle::side_of_plane(exact(next.direction), {0, 0, 0}, exact(outside)) <= 0) continue;
     next.origin = offset_origin(*hit, next.direction);
     ++tally.secondary;
     tally.self_hits += intersect(next, shape).has_value();
