@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/geometry/double_double3.hpp"
 #include "etendue/geometry/expansion.hpp"
 
 namespace etendue {
