@@ -55,7 +55,7 @@ TEST(Elements, ShareTheirCornersToTheLastBit) {
   for (const Element& element : mesh->elements) {
     for (const Vec3& p : element.polygon.vertices()) corners.insert({p.x(), p.y(), p.z()});
   }
-  EXPECT_EQ(corners.size(), 48u);
+  EXPECT_TRUE(near(static_cast<double>(corners.size()), 48, 0));
   EXPECT_EQ(mesh->elements.size(), 35u);
 }
 
@@ -118,9 +118,10 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
     scene.objects[0].subdivision = one.subdivision;
     const auto refused = mesh_elements(scene);
     ASSERT_FALSE(refused.ok()) << one.words;
-    EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
-    EXPECT_NE(refused.error().message.find("object 'object 0'"), std::string::npos) << refused.error().message;
-    EXPECT_NE(refused.error().message.find(one.words), std::string::npos) << refused.error().message;
+    const std::string& message = refused.error().message;
+    EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
+    EXPECT_TRUE(holds(message.find("object 'object 0'") != std::string::npos)) << message;
+    EXPECT_TRUE(holds(message.find(one.words) != std::string::npos)) << message;
   }
   EXPECT_TRUE(mesh_elements(scene_of({triangle})).ok());
   EXPECT_FALSE(mesh_elements(Scene{}).ok());

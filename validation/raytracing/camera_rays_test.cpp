@@ -125,11 +125,11 @@ TEST(CameraRays, CountFromTheLowerLeftCorner) {
   camera.columns = 4;
   camera.rows = 2;
   const auto is = [](const PicturePoint& point, double x, double y) { return point.x == x && point.y == y; };
-  EXPECT_TRUE(is(picture_point(camera, 0, 1, 0, 1), 0, 0));
-  EXPECT_TRUE(is(picture_point(camera, 3, 0, 1, 0), 1, 1));
-  EXPECT_TRUE(is(picture_point(camera, 0, 0), 0.125, 0.75));
-  EXPECT_TRUE(is(picture_point(camera, 1, 0, 0.25, 0.25), 0.3125, 0.875));
-  EXPECT_TRUE(is(picture_point(camera, 2, 1, 0.75, 0.75), 0.6875, 0.125));
+  EXPECT_TRUE(holds(is(picture_point(camera, 0, 1, 0, 1), 0, 0)));
+  EXPECT_TRUE(holds(is(picture_point(camera, 3, 0, 1, 0), 1, 1)));
+  EXPECT_TRUE(holds(is(picture_point(camera, 0, 0), 0.125, 0.75)));
+  EXPECT_TRUE(holds(is(picture_point(camera, 1, 0, 0.25, 0.25), 0.3125, 0.875)));
+  EXPECT_TRUE(holds(is(picture_point(camera, 2, 1, 0.75, 0.75), 0.6875, 0.125)));
 }
 
 // CLAIM      G11: square pixels give tan φ = tan θ · R_y/R_x; scaling the angle instead is wrong (25.31° for 29.36° at

@@ -162,11 +162,11 @@ TEST(RadiosityView, RefusesImpossibleCameras) {
   const auto vertices = vertex_radiosities(mesh, std::vector<Rgb>(6, Rgb::Ones()));
   Camera camera;
   camera.up = camera.gaze;
-  EXPECT_FALSE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 1).ok());
+  EXPECT_TRUE(holds(!view_radiosities(camera, mesh, vertices, Rgb::Zero(), 1).ok()));
   camera = Camera{};
   camera.columns = 60000;
   camera.rows = 1;
-  EXPECT_FALSE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 2).ok());
+  EXPECT_TRUE(holds(!view_radiosities(camera, mesh, vertices, Rgb::Zero(), 2).ok()));
   EXPECT_TRUE(view_radiosities(camera, mesh, vertices, Rgb::Zero(), 1).ok());
 }
 
