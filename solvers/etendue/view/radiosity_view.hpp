@@ -9,7 +9,7 @@ namespace etendue {
 /// Surfaces nearer to the eye than this share of the scene's diagonal are cut away: the projection divides by depth.
 inline constexpr double kNearPlane = 0x1p-20;
 
-/// A picture of a solved scene: radiosities, not display values.                                   @eq IU.6.5, IU.5.2
+/// A picture of a solved scene: radiosities, not display values.                         @eq IU.6.5, IU.6.5v, IU.5.2
 ///
 /// Each element is drawn as a fan around its centroid, whose value is the mean of its corners, so that no diagonal is
 /// preferred; depth-buffered, interpolated linearly on the surface (Gouraud), `samples` × `samples` centres a pixel,
