@@ -18,8 +18,7 @@ namespace etendue {
 ///           One-sided: an element behind the polygon's plane, or in it up to rounding, receives 0
 /// Returns   value in [0, 1] and a bound on its absolute error
 /// Accuracy  |value − F| ≤ bound, counted in NOTES.md §1. The bound does not shrink with the distance d as F ~ A/d²
-/// does:
-///           relatively it grows like u · d · perimeter/A
+///           does: relatively it grows like u · d · perimeter/A
 /// Errors    ContractViolation when the normal is not of unit length
 /// Source    Lambert 1760; the angles by atan2, which keeps small and nearly straight ones
 [[nodiscard]] Bounded point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon);

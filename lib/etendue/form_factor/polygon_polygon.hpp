@@ -12,13 +12,11 @@ namespace etendue {
 ///
 /// Symbols   A_1, A_2 areas [m²]; r distance [m]; a_1, a_2 angles to the normals, their cosines clamped at 0 [rad]
 /// Domain    any two planar polygons, convex or concave, apart, touching or piercing one another's planes. One-sided:
-/// what
-///           lies behind the other's plane is cut off, two that only see backs, or lie in one plane, exchange 0.
+///           what lies behind the other's plane is cut off, two that only see backs, or lie in one plane, exchange 0.
 ///           Vertices that leave their polygon's plane count as they are: F is then that of any surface on the same
 ///           outline
 /// Returns   value in [0, 1] and a bound on its absolute error; bitwise invariant under scaling by powers of two. The
-/// bound
-///           says it where the tolerance was not reached
+///           bound says it where the tolerance was not reached
 /// Accuracy  |value − F| ≤ bound, truncation proved, rounding counted: NOTES.md §2–4. Measured over the 128 pairs of
 ///           validation/reference/pair_form_factor.csv: the bound holds in all, 1e-9 is reached in all, the default
 ///           1e-12 up to a factor of 3, but for slivers in random frames (1e-10, the rounding of their own coordinates)

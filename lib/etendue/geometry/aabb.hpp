@@ -31,8 +31,7 @@ struct Aabb {
 ///
 /// Domain    any shape; planes have no bounds
 /// Returns   wider than the tight box by at most 2^-46 of the largest coordinate, and 2^-24 radii for discs and
-/// cylinders,
-///           2^-39 extents for polygons (twice kPlanarity); the empty box for a mesh without triangles
+///           cylinders, 2^-39 extents for polygons (twice kPlanarity); the empty box for a mesh without triangles
 /// Accuracy  rounded outward, proved (NOTES.md §8)
 [[nodiscard]] Aabb bounds(const Sphere& sphere);
 [[nodiscard]] Aabb bounds(const Disc& disc);
@@ -45,8 +44,8 @@ struct Aabb {
 /// Slab test of one ray against many boxes.
 ///
 /// Accuracy  conservative, proved (NOTES.md §8): where intersect(ray, shape) hits, meets(bounds(shape), t_max) is true
-/// for
-///           every t_max above the hit's t. The slabs are widened by 2^-48 of the coordinates, the far ends by 1 + 2γ_3
+///           for every t_max above the hit's t. The slabs are widened by 2^-48 of the coordinates, the far ends by 1 +
+///           2γ_3
 /// Domain    a direction other than zero; an empty box is never met
 /// Source    Ize 2013, Robust BVH Ray Traversal
 class RayBoxTest {

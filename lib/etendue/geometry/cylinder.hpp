@@ -25,17 +25,17 @@ inline constexpr double kCylinderUlps = 1;
 ///
 /// Symbols   O, D origin and direction of the ray; R radius [length]
 /// Domain    lengths between 2^-120 and 2^120. kCylinderUlps holds for origins within 10⁴ radii, rays that make an
-/// angle
-///           above 10^-3 with the axis and pass the wall's silhouette at more than 2^-30 radii
+///           angle above 10^-3 with the axis and pass the wall's silhouette at more than 2^-30 radii
 /// Returns   the smallest t with max(0, t_min) < t < t_max whose point lies between the ends; normal outward also for
-/// hits
-///           from inside; uv: u = turn around the axis from tangent_frame(A) in [0, 1), v = height, 0 at base, 1 at top
+///           hits from inside; uv: u = turn around the axis from tangent_frame(A) in [0, 1), v = height, 0 at base, 1
+///           at top
 /// Hits      the ends are open; a tangent and a ray parallel to the axis are misses; an origin on the wall is not hit
-/// at t = 0 Accuracy  all sums in DoubleDouble; point_error is a running bound that also covers what lies outside that
-/// domain.
+///           at t = 0
+/// Accuracy  all sums in DoubleDouble; point_error is a running bound that also covers what lies outside that domain.
 ///           Which side of an end a hit lies on is decided to 2^-90 of the height
 /// Errors    ContractViolation where the radius is not positive, the ends coincide, or the direction is zero or not
-/// finite Source    elementary; the form of the discriminant as for Sphere
+///           finite
+/// Source    elementary; the form of the discriminant as for Sphere
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Cylinder& cylinder);
 
 }  // namespace etendue
