@@ -192,5 +192,26 @@ TEST(Triangle, NamesItsCases) {
   EXPECT_TRUE(holds(!hit({1, 1, -1}, down, flat))) << "behind";
 }
 
+// CLAIM      RT.10: a triangle without area is a miss from everywhere, also where the shear's rounding gives it some.
+// ORACLE     closed form: corners on a line, exactly, in directions with three odd components.
+// TOLERANCE  none.
+TEST(Triangle, WithoutAreaIsMissed) {
+  proves({"RT.10"}, Oracle::closed_form, "three corners on a line, exactly");
+  Random random(205);
+  std::uint64_t hits = 0;
+  constexpr std::uint64_t kRays = 100'000;
+  for (std::uint64_t i = 0; i < kRays; ++i) {
+    const auto whole = [&] { return static_cast<double>(random.index(41)) - 20; };
+    const Vec3 step(whole(), whole(), whole()), corner(whole(), whole(), whole());
+    const Triangle line{corner, corner + step, corner + 2 * step};
+    Ray ray;
+    ray.origin = Vec3(whole(), whole(), whole());
+    ray.direction = corner + random.uniform(0, 2) * step - ray.origin;
+    if (ray.direction.isZero()) continue;
+    hits += intersect(ray, line).has_value();
+  }
+  EXPECT_TRUE(all_agree(hits, kRays));
+}
+
 }  // namespace
 }  // namespace etendue::validation

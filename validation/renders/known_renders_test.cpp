@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <vector>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/raytracing/render.hpp"
@@ -105,6 +107,25 @@ TEST(KnownRender, OfASphereIsRightInEveryPixel) {
   EXPECT_GT(lit, 2000u);
 }
 
+// The faces of a box around the origin, as polygons that share their corners.
+std::vector<Shape> box_of_polygons(const Mat3& axes, const Vec3& half) {
+  std::vector<Shape> faces;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      std::vector<Vec3> chain;
+      for (const double turn : {0.5, 1.5, 2.5, 3.5}) {
+        Vec3 corner;
+        corner[axis] = side;
+        corner[(axis + 1) % 3] = std::copysign(1.0, std::cos(turn * std::numbers::pi / 2));
+        corner[(axis + 2) % 3] = std::copysign(side, side * std::sin(turn * std::numbers::pi / 2));
+        chain.push_back(axes * corner.cwiseProduct(half));
+      }
+      faces.push_back(Polygon::make(chain).value());
+    }
+  }
+  return faces;
+}
+
 // CLAIM      White furnace: inside a closed mirror that emits E and reflects k_r, every pixel of every camera is
 //            E (1 + k_r + … + k_r^D), whatever the geometry; with k_r = 0 it is E.
 // ORACLE     known render: the geometric series, one constant for all pixels.
@@ -118,14 +139,15 @@ TEST(KnownRender, OfAWhiteFurnaceIsOneConstant) {
     return Vec3(x, y, z);
   };
   Mat3 axes = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
-  const std::array<Shape, 2> enclosures{Shape(Sphere{{0, 0, 0}, 1}), Shape(Box{{0, 0, 0}, axes, {1, 1.25, 1.5}})};
-  for (const Shape& enclosure : enclosures) {
+  const std::vector<std::vector<Shape>> enclosures{
+      {Sphere{{0, 0, 0}, 1}}, {Box{{0, 0, 0}, axes, {1, 1.25, 1.5}}}, box_of_polygons(axes, {1, 1.25, 1.5})};
+  for (const auto& enclosure : enclosures) {
     for (const double k_r : {0.0, 0.5, 0.9}) {
       for (const int depth : {0, 1, 2, 7, 30}) {
         Scene scene;
         Material wall = specular(k_r, 0);
         wall.emission = {0.7, 0.3, 0.1};
-        add(scene, enclosure, wall);
+        for (const Shape& shape : enclosure) add(scene, shape, wall);
         scene.background = {100, 100, 100};  // a ray that leaks shows
         scene.camera.eye = vector();
         scene.camera.gaze = vector() + Vec3(0, 1, 0);

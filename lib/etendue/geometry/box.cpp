@@ -58,6 +58,7 @@ bool surely_misses(const Ray& ray, const Box& box) {
 std::optional<Hit> intersect(const Ray& ray, const Box& box) {
   require_direction(ray);
   require(box.half_edges.minCoeff() > 0, "intersect: the box's edges are positive");
+  require(box.centre.allFinite() && box.axes.allFinite() && box.half_edges.allFinite(), "intersect: the box is finite");
   if (surely_misses(ray, box)) return std::nullopt;
   Crossing enter, leave;
   for (int axis = 0; axis < 3; ++axis) {

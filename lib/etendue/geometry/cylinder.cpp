@@ -81,6 +81,8 @@ std::optional<Hit> intersect(const Ray& ray, const Cylinder& cylinder) {
   require_direction(ray);
   require(cylinder.radius > 0, "intersect: the cylinder's radius is positive");
   require(cylinder.base != cylinder.top, "intersect: the cylinder's ends are apart");
+  require(cylinder.base.allFinite() && cylinder.top.allFinite() && std::isfinite(cylinder.radius),
+          "intersect: the cylinder's ends and radius are finite");
   const DoubleDouble3 v = exact_difference(ray.origin, cylinder.base);
   const DoubleDouble3 axis = exact_difference(cylinder.top, cylinder.base);
   const Quadratic q = quadratic(v, axis, widened(ray.direction), cylinder.radius);

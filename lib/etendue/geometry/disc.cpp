@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/geometry/disc.hpp"
 
+#include <cmath>
+
 #include "etendue/core/contract.hpp"
 #include "etendue/geometry/meeting.hpp"
 
@@ -9,7 +11,8 @@ namespace etendue {
 std::optional<Hit> intersect(const Ray& ray, const Disc& disc) {
   require_direction(ray);
   require(is_unit(disc.normal), "intersect: the disc's normal is a unit vector");
-  require(disc.radius > 0, "intersect: the disc's radius is positive");
+  require(disc.radius > 0 && std::isfinite(disc.radius), "intersect: the disc's radius is positive and finite");
+  require(disc.centre.allFinite(), "intersect: the disc's centre is finite");
   const auto t = meet_plane(ray, disc.normal, disc.centre);
   if (!t) return std::nullopt;
   Hit hit = flat_hit(ray, *t, disc.normal);

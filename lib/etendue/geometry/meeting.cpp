@@ -40,6 +40,7 @@ Expansion exact_dot(const DoubleDouble3& a, const Vec3& b) {
 void require_direction(const Ray& ray) {
   const double length = ray.direction.squaredNorm();
   require(length > 0 && std::isfinite(length), "intersect: the ray's direction is finite and not zero");
+  require(ray.origin.allFinite(), "intersect: the ray's origin is finite");
 }
 
 std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
@@ -51,14 +52,19 @@ std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const
     const double relative = 4 * (height_error / std::abs(height.value) + speed_error / std::abs(speed.value));
     if (surely_outside(ray, height.value / speed.value, relative)) return std::nullopt;
   }
-  const DoubleDouble3 d = exact_difference(point, ray.origin);
-  const DoubleDouble exact_speed = resolved(dot(widened(ray.direction), normal), speed.magnitude,
-                                            [&] { return exact_dot(widened(ray.direction), normal); });
-  if (exact_speed.high == 0) return std::nullopt;
-  const DoubleDouble exact_height = resolved(dot(d, normal), height.magnitude, [&] { return exact_dot(d, normal); });
-  const DoubleDouble t = exact_height / exact_speed;
-  if (!looks_at(ray, t.high)) return std::nullopt;
-  return t;
+  const auto t = line_meets_plane(ray, normal, point);
+  return t && looks_at(ray, t->high) ? t : std::nullopt;
+}
+
+std::optional<DoubleDouble> line_meets_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
+  const double speed_size = normal.cwiseProduct(ray.direction).lpNorm<1>();
+  const DoubleDouble speed = resolved(dot(widened(ray.direction), normal), speed_size,
+                                      [&] { return exact_dot(widened(ray.direction), normal); });
+  if (speed.high == 0) return std::nullopt;
+  const DoubleDouble3 offset = exact_difference(point, ray.origin);
+  const double height_size = normal.cwiseProduct(point - ray.origin).lpNorm<1>();
+  const DoubleDouble height = resolved(dot(offset, normal), height_size, [&] { return exact_dot(offset, normal); });
+  return height / speed;
 }
 
 Hit flat_hit(const Ray& ray, const DoubleDouble& t, const Vec3& normal) {

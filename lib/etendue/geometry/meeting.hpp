@@ -15,7 +15,7 @@ inline bool looks_at(const Ray& ray, double t) {
   return t > 0 && t > ray.t_min && t < ray.t_max;
 }
 
-/// Refuses a direction that is zero or not finite.
+/// Refuses a direction that is zero or not finite, and an origin that is not finite.
 void require_direction(const Ray& ray);
 
 /// Parameter at which the ray meets the plane through `point` with this normal (any length): −(d + N·O)/(N·D).
@@ -23,6 +23,9 @@ void require_direction(const Ray& ray);
 /// Returns   t with max(0, t_min) < t < t_max; none where the ray is parallel to the plane or lies in it
 /// Accuracy  relative error at most kMeetingError, proved; parallel, before and behind are decided exactly
 [[nodiscard]] std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const Vec3& point);
+
+/// The same for the whole line: t of any sign, whatever the ray's range.
+[[nodiscard]] std::optional<DoubleDouble> line_meets_plane(const Ray& ray, const Vec3& normal, const Vec3& point);
 
 /// The hit of a flat shape: point = O + tD, rounded once a component; its error bounds.
 [[nodiscard]] Hit flat_hit(const Ray& ray, const DoubleDouble& t, const Vec3& normal);

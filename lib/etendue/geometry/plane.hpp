@@ -22,7 +22,7 @@ inline constexpr double kPlaneUlps = 1;
 ///     t = −(d + N·O)/(N·D) = N·(P − O)/(N·D)                                        @eq IU.5-12, IU.5-13, RT.12
 ///
 /// Symbols   N, P normal and point of the plane; O, D origin and direction of the ray [length]
-/// Domain    lengths between 2^-200 and 2^200; |N|² within kUnitNormal of 1; D of any length
+/// Domain    lengths between 2^-200 and 2^200; |N|² within kUnitNormal of 1; |D| between 2^-500 and 2^500
 /// Returns   t with max(0, t_min) < t < t_max; the plane's normal, never flipped; uv: coordinates from `point` along
 ///           tangent_frame(normal), in scene units
 /// Hits      a ray parallel to the plane or in it is a miss, an origin on the plane does not hit at t = 0 (both exact)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "etendue/core/rounding.hpp"
@@ -10,6 +11,8 @@
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
 #include "etendue/geometry/predicates.hpp"
+#include "etendue/geometry/shear.hpp"
+#include "etendue/geometry/triangle.hpp"
 
 namespace etendue {
 
@@ -146,12 +149,63 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   return polygon;
 }
 
+namespace {
+
+/// The polygon as the ray sees it.
+struct Outlook {
+  bool inside = false;                                     // the ray's line passes through it
+  double first = std::numeric_limits<double>::infinity();  // least and largest t of a corner
+  double last = -std::numeric_limits<double>::infinity();
+};
+
+// The Jordan curve test of encloses(), across the ray in place of a coordinate axis: neighbours see the corners they
+// share at the same doubles, so every line through their common edge passes through exactly one of them.
+Outlook outlook(const Ray& ray, const std::vector<Vec3>& vertices) {
+  const Shear shear = shear_of(ray.direction);
+  Outlook seen;
+  Sheared previous = sheared(shear, vertices.back(), ray.origin);
+  for (const Vec3& vertex : vertices) {
+    const Sheared current = sheared(shear, vertex, ray.origin);
+    const bool current_above = current.y >= 0;
+    if ((previous.y >= 0) != current_above) {
+      const double turn = edge_function(previous, current);
+      if (current_above ? turn > 0 : turn < 0) seen.inside = !seen.inside;
+    }
+    seen.first = std::min(seen.first, current.z);
+    seen.last = std::max(seen.last, current.z);
+    previous = current;
+  }
+  return seen;
+}
+
+// A ray that passes an edge within the rounding of the shear may meet the plane far outside the polygon; t is then the
+// nearest corner's. Elsewhere the plane's t stands, which the corners' range holds but for rounding: one range is room.
+DoubleDouble kept_near(const DoubleDouble& t, const Outlook& seen) {
+  const double room = (seen.last - seen.first) + kTriangleShift * std::max(std::abs(seen.first), std::abs(seen.last));
+  if (t.high < seen.first - room) return seen.first;
+  if (t.high > seen.last + room) return seen.last;
+  return t;
+}
+
+double farthest_vertex(const Polygon& polygon, const Vec3& point) {
+  double farthest = 0;
+  for (const Vec3& v : polygon.vertices()) farthest = std::max(farthest, (v - point).lpNorm<Eigen::Infinity>());
+  return farthest;
+}
+
+}  // namespace
+
 std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
   require_direction(ray);
-  const auto t = meet_plane(ray, polygon.normal(), polygon.centroid());
-  if (!t) return std::nullopt;
-  Hit hit = flat_hit(ray, *t, polygon.normal());
-  if (!encloses(polygon.vertices(), hit.point, dominant_axis(polygon.normal()))) return std::nullopt;
+  const Outlook seen = outlook(ray, polygon.vertices());
+  if (!seen.inside) return std::nullopt;
+  const auto met = line_meets_plane(ray, polygon.normal(), polygon.centroid());
+  if (!met) return std::nullopt;
+  const DoubleDouble t = kept_near(*met, seen);
+  if (!looks_at(ray, t.high)) return std::nullopt;
+  Hit hit = flat_hit(ray, t, polygon.normal());
+  hit.point_error += std::abs(met->high - t.high) * ray.direction.norm();
+  hit.surface_error += kTriangleShift * farthest_vertex(polygon, hit.point);
   const Vec3 along = (polygon.vertices()[1] - polygon.vertices()[0]).normalized();
   const Vec3 offset = hit.point - polygon.vertices()[0];
   hit.uv = {along.dot(offset), polygon.normal().cross(along).dot(offset)};

@@ -45,12 +45,14 @@ class Polygon {
 
 /// Where a ray meets a polygon: in its plane (@eq IU.5-12, IU.5-13, RT.12), inside its boundary (@eq IU.5.6.2, E16).
 ///
-/// Domain    lengths between 2^-200 and 2^200; D of any length
+/// Domain    lengths between 2^-200 and 2^200; |D| between 2^-500 and 2^500
 /// Returns   as for Plane; uv: coordinates from vertex 0, u along the first edge, v to its left, in scene units
-/// Hits      half of the boundary belongs to it: see encloses(). A point within point_error of the boundary may be
-///           decided either way, as the point itself is rounded; the test of the rounded point is exact
-/// Accuracy  t within kPlaneUlps, for the plane through centroid() with normal(): proved
-/// Errors    ContractViolation where the direction is zero or not finite
+/// Hits      the Jordan test across the ray, exact for corners moved by kTriangleShift: half of the boundary belongs to
+///           it, the other half to the neighbour, and no ray slips between polygons that share an edge (exactly the
+///           same doubles). A parallel ray is a miss
+/// Accuracy  t within kPlaneUlps, for the plane through centroid() with normal(): proved, unless the ray passes an edge
+///           within that shift at so low an angle that the plane's t is far from the polygon: t is then a corner's
+/// Errors    ContractViolation where the ray is not finite or the direction zero
 /// Source    [IU] 5.6.2, mended (docs/errata.md, E16, G9)
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon);
 

@@ -82,7 +82,8 @@ std::optional<DoubleDouble> first_root(const Ray& ray, const Quadratic& q) {
 
 std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere) {
   require_direction(ray);
-  require(sphere.radius > 0, "intersect: the sphere's radius is positive");
+  require(sphere.radius > 0 && std::isfinite(sphere.radius), "intersect: the sphere's radius is positive and finite");
+  require(sphere.centre.allFinite(), "intersect: the sphere's centre is finite");
   const Vec3 rounded_v = ray.origin - sphere.centre;
   if (surely_misses(rounded_v, ray.direction, sphere.radius)) return std::nullopt;
   const DoubleDouble3 v = exact_difference(ray.origin, sphere.centre);
