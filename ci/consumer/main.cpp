@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
-
 #include <etendue/form_factor/polygon_polygon.hpp>
 
 int main() {

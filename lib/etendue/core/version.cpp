@@ -3,6 +3,8 @@
 
 namespace etendue {
 
-const char* version() { return ETENDUE_VERSION; }
+const char* version() {
+  return ETENDUE_VERSION;
+}
 
 }  // namespace etendue
