@@ -2,8 +2,10 @@
 #include "etendue/form_factor/point_polygon.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "etendue/form_factor/obstructed.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/element_rectangle.hpp"
 #include "support/evidence.hpp"
@@ -67,6 +69,47 @@ TEST(PointToPolygon, ClampsBothCosines) {
   EXPECT_TRUE(within(point_to_polygon({1, 0, 0}, up, wall).value, 0)) << "in the polygon's plane";
   EXPECT_TRUE(within(point_to_polygon({0, 0, 5}, up, wall).value, 0)) << "above all of it";
   EXPECT_THROW(static_cast<void>(point_to_polygon(Vec3::Zero(), 2 * up, wall)), ContractViolation);
+}
+
+// CLAIM      G12: an element a hair in front of a polygon sees it, one a hair behind does not.
+// ORACLE     identity: F = 1 at a distance far below the polygon's size, and 0 behind.
+// TOLERANCE  the returned bound, and 4 distance/side for the open rim; zero behind.
+TEST(PointToPolygon, TellsFrontFromBehindAtAnyDistance) {
+  proves({"G12", "IU.6-2"}, Oracle::identity, "an element 1e-12 to 1e-30 above and below a unit square");
+  constexpr double kUseful = 1e-12;
+  const Polygon square = rectangle({-0.5, -0.5, 0}, {1, 0, 0}, {0, 1, 0});
+  for (double z : {1e-12, 1e-15, 1e-17, 1e-30}) {
+    const Bounded f = point_to_polygon({0, 0, z}, -Vec3::UnitZ(), square);
+    EXPECT_TRUE(near(f.value, 1, f.bound + 4 * z)) << z;
+    EXPECT_TRUE(within(f.bound, kUseful)) << z;
+    const Bounded behind = point_to_polygon({0, 0, -z}, -Vec3::UnitZ(), square);
+    EXPECT_TRUE(within(behind.value + behind.bound, 0)) << z;
+  }
+}
+
+// CLAIM      IU.6-2: a normal that is off length one as far as is accepted does not move the factor out of its bound.
+// ORACLE     identity: F is a matter of the direction only.
+// TOLERANCE  4 u: the division by the length, and the two sums near one.
+TEST(PointToPolygon, DividesByTheLengthOfTheNormal) {
+  proves({"IU.6-2"}, Oracle::identity, "normals 15 u too long and too short");
+  const Polygon square = rectangle({-8, -8, 0.5}, {0, 16, 0}, {16, 0, 0});
+  const Bounded exact = point_to_polygon(Vec3::Zero(), Vec3::UnitZ(), square);
+  for (double off : {-14.0, 14.0}) {
+    const Bounded f = point_to_polygon(Vec3::Zero(), (1 + off * 0x1p-53) * Vec3::UnitZ(), square);
+    EXPECT_TRUE(near(f.value, exact.value, 4 * 0x1p-53)) << off;
+  }
+}
+
+// CLAIM      G12: an element that is nowhere has no factor.
+// ORACLE     identity: the documented contract.
+// TOLERANCE  none: each call is refused or not.
+TEST(PointToPolygon, RefusesPointsThatAreNotFinite) {
+  proves({"G12"}, Oracle::identity, "NaN and infinity in either routine");
+  const Polygon square = rectangle({-0.5, -0.5, 1}, {0, 1, 0}, {1, 0, 0});
+  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(refuses([&] { static_cast<void>(point_to_polygon({0, bad, 0}, Vec3::UnitZ(), square)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(visible_point_to_polygon({0, bad, 0}, Vec3::UnitZ(), square, {})); }));
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "etendue/form_factor/rectangles.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
@@ -87,12 +88,51 @@ TEST(FormFactor, MeetsPerpendicularPlatesThatShareAnEdge) {
   }
 }
 
-// CLAIM      The rectangles refuse lengths that are not positive.
+// CLAIM      IU.6-3: the rectangles keep their accuracy at the ends of their domain, in ratios and in lengths.
+// ORACLE     closed form: C-11 and C-14 in balls of 600 bits.
+// TOLERANCE  the returned bound, itself below kRectangleError of the value, and kQuotients for the ratios of lengths
+//            that are no powers of two: F moves by at most as much, relatively, as each of the two.
+TEST(Rectangles, HoldAtTheEndsOfTheirDomain) {
+  proves({"IU.6-3"}, Oracle::closed_form, "ratios 1e-6, 1, 1e6 at lengths of 1, 1e-94 and 1e94");
+  constexpr double kQuotients = 4 * 0x1p-53;
+  for (double x : {kLeastRatio, 1.0, kGreatestRatio}) {
+    for (double y : {kLeastRatio, 1.0, kGreatestRatio}) {
+      const double parallel = oracle::parallel_plates(x, y), perpendicular = oracle::perpendicular_plates(y, x);
+      for (double unit : {1.0, kShortestLength / kLeastRatio * (1 + 0x1p-40), kLongestLength / kGreatestRatio}) {
+        const Bounded p = parallel_rectangles(x * unit, y * unit, unit);
+        EXPECT_TRUE(near(p.value, parallel, bar(p) + kQuotients * parallel)) << x << " " << y << " " << unit;
+        EXPECT_TRUE(within(p.bound, kRectangleError * p.value)) << x << " " << y << " " << unit;
+        const Bounded q = perpendicular_rectangles(x * unit, y * unit, unit);
+        EXPECT_TRUE(near(q.value, perpendicular, bar(q) + kQuotients * perpendicular)) << x << " " << y << " " << unit;
+        EXPECT_TRUE(within(q.bound, kRectangleError * q.value)) << x << " " << y << " " << unit;
+      }
+    }
+  }
+}
+
+// CLAIM      IU.6-3: the rectangles refuse lengths and ratios outside their domain.
 // ORACLE     identity: the documented contract.
-// TOLERANCE  none: each call throws or does not.
-TEST(Rectangles, RefuseLengthsThatAreNotPositive) {
-  EXPECT_THROW(static_cast<void>(parallel_rectangles(0, 1, 1)), ContractViolation);
-  EXPECT_THROW(static_cast<void>(perpendicular_rectangles(1, -1, 1)), ContractViolation);
+// TOLERANCE  none: each call is refused or not.
+TEST(Rectangles, RefuseWhatIsOutsideTheirDomain) {
+  proves({"IU.6-3"}, Oracle::identity, "zero, negative, infinite and NaN lengths, ratios past either end");
+  constexpr double kInfinite = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
+  const double outside[][3] = {{0, 1, 1},
+                               {1, -1, 1},
+                               {kInfinite, 1, 1},
+                               {1, kNan, 1},
+                               {1e160, 1e160, 1},
+                               {1, 1, 1e170},
+                               {1e-170, 1e-170, 1},
+                               {1e-320, 1, 1},
+                               {1e-200, 1e-200, 1e200},
+                               {1e-101, 1e-101, 1e-101},
+                               {0.9e-6, 1, 1},
+                               {1, 1.1e6, 1}};
+  for (const auto& [width, height, third] : outside) {
+    const double w = width, h = height, d = third;
+    EXPECT_TRUE(refuses([&] { static_cast<void>(parallel_rectangles(w, h, d)); })) << w << " " << h << " " << d;
+    EXPECT_TRUE(refuses([&] { static_cast<void>(perpendicular_rectangles(w, h, d)); })) << w << " " << h << " " << d;
+  }
 }
 
 }  // namespace

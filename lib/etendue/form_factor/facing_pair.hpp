@@ -13,13 +13,14 @@ struct FacingPair {
   Loop to;               ///< the part in front of from's plane
   Vec3 offset;           ///< leads from from's origin to to's
   double from_area = 0;  ///< of the whole of from
-  double moved = 0;      ///< bound on what the rounding of the cuts does to A_1 F_12 [scaled length²]
+  double moved = 0;      ///< bound on what the cuts do to A_1 F_12, also where nothing is seen [scaled length²]
   double scale = 1;      ///< scaled length per length
 
   bool sees() const { return !from.vertices.empty() && !to.vertices.empty(); }
 };
 
-/// Vertices within height_error() of the other's plane count as on it, so touching polygons are not cut.
+/// Of two that turn the same way, vertices off the other's plane by the rounding of coordinates count as on it, so
+/// touching polygons are not cut; `moved` pays for it. Of two that turn against one another, the side is exact.
 [[nodiscard]] FacingPair facing_pair(const Polygon& from, const Polygon& to);
 
 /// `vertices` around `origin`, scaled.

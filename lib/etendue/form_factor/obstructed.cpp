@@ -299,17 +299,18 @@ Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Po
                                  std::span<const Polygon> blockers) {
   const Bounded free = point_to_polygon(point, normal, polygon);
   if (free.value == 0) return free;
+  const Vec3 unit = normal.normalized();
   const auto seen = [&](const Points& vertices, bool above) {
     Points result = shifted(vertices, -point);
     std::vector<double> heights;
-    for (const Vec3& v : result) heights.push_back(v.dot(normal));
+    for (const Vec3& v : result) heights.push_back(v.dot(unit));
     return above ? clip(result, heights) : result;
   };
   std::vector<Points> obstacles;
   for (const Polygon& blocker : blockers) obstacles.push_back(seen(blocker.vertices(), false));
   Bounded sum;
   for (const Points& part : visible_part(seen(polygon.vertices(), true), obstacles)) {
-    const Bounded term = lambert_sum(part, normal);
+    const Bounded term = lambert_sum(part, unit);
     sum.value += term.value;
     sum.bound += term.bound;
   }

@@ -10,6 +10,7 @@
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/loop.hpp"
+#include "etendue/form_factor/sharp_plane.hpp"
 
 namespace etendue {
 
@@ -25,12 +26,28 @@ std::vector<Vec3> seen_from(const Vec3& point, const std::vector<Vec3>& vertices
   return seen;
 }
 
+struct Height {
+  double value;   ///< of the point above the polygon's plane; the sign is exact
+  double unflat;  ///< largest distance of a vertex from that plane
+};
+
+Height height_above(const Polygon& polygon, const Vec3& point) {
+  double size = point.cwiseAbs().maxCoeff();
+  for (const Vec3& v : polygon.vertices()) size = std::max(size, v.cwiseAbs().maxCoeff());
+  const double scale = std::ldexp(1.0, -std::ilogb(size));
+  std::vector<Vec3> vertices;
+  vertices.reserve(polygon.vertices().size());
+  for (const Vec3& v : polygon.vertices()) vertices.push_back(scale * v);
+  const SharpPlane plane(vertices);
+  return {plane.height(scale * point), plane.flatness()};
+}
+
 }  // namespace
 
 Bounded lambert_sum(std::span<const Vec3> seen, const Vec3& normal) {
   constexpr double kPerTurn = 0.5 / std::numbers::pi;
-  constexpr int kAngleRoundings = 8;  // atan2 of two products, the division, the product, the sum
-  constexpr int kCrossRoundings = 4;  // each component of a × b errs by 3u |a||b|
+  constexpr int kAngleRoundings = 12;  // atan2 of two products, the division, the product, the sum; the unit normal
+  constexpr int kCrossRoundings = 4;   // each component of a × b errs by 3u |a||b|
   double sum = 0, error = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const Vec3& a = seen[i];
@@ -49,21 +66,25 @@ Bounded lambert_sum(std::span<const Vec3> seen, const Vec3& normal) {
 }
 
 Bounded point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon) {
+  require(point.allFinite(), "point_to_polygon: the point is finite");
   require(std::abs(normal.squaredNorm() - 1) <= 2 * kUnitSlack, "point_to_polygon: normal is a unit vector");
-  const Loop loop = make_loop(seen_from(point, polygon.vertices()));
-  const double height = -loop.vertices.front().dot(loop.normal);
-  if (height <= height_error(loop, Vec3::Zero())) return {0, 0};
+  const Height height = height_above(polygon, point);
+  if (height.value + height.unflat <= 0) return {0, 0};
 
+  const Vec3 unit = normal.normalized();
+  const std::vector<Vec3> seen = seen_from(point, polygon.vertices());
   std::vector<double> heights;
-  heights.reserve(loop.vertices.size());
+  heights.reserve(seen.size());
   bool behind = false;
-  for (const Vec3& v : loop.vertices) {
-    heights.push_back(v.dot(normal));
+  for (const Vec3& v : seen) {
+    heights.push_back(v.dot(unit));
     behind = behind || heights.back() < 0;
   }
-  const Bounded sum = behind ? lambert_sum(clip(loop.vertices, heights), normal) : lambert_sum(loop.vertices, normal);
+  const Bounded sum = behind ? lambert_sum(clip(seen, heights), unit) : lambert_sum(seen, unit);
+  // In front or behind, the vertices' distances from their plane decide it: 0, or what the outline spans.
+  if (height.value <= height.unflat) return {0, std::min(1.0, std::abs(sum.value) + sum.bound)};
   // 0 ≤ F ≤ 1 holds for the truth: moving the value into the range by at most its error only brings it nearer.
-  return {std::clamp(sum.value, 0.0, 1.0), sum.bound};
+  return {std::clamp(sum.value, 0.0, 1.0), std::min(sum.bound, 1.0)};
 }
 
 }  // namespace etendue

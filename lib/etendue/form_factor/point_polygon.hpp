@@ -14,12 +14,13 @@ namespace etendue {
 ///
 /// Symbols   n the element's normal, a_i, b_i the ends of edge i seen from the element [length]; γ_i the angle between
 ///           them [rad]
-/// Domain    normal a unit vector, polygon simple, convex or concave; what lies behind the element's plane is cut off.
-///           One-sided: an element behind the polygon's plane, or in it up to rounding, receives 0
+/// Domain    point finite, normal of length one within 16 u (it is divided by its length), polygon simple, convex or concave; what lies behind the element's plane is cut off.
+///           One-sided: an element behind the polygon's plane, or in it, receives 0; within the distance its vertices are
+///           off that plane it receives 0 with a bound that says what it may miss
 /// Returns   value in [0, 1] and a bound on its absolute error
 /// Accuracy  |value − F| ≤ bound, counted in NOTES.md §1. The bound does not shrink with the distance d as F ~ A/d²
 ///           does: relatively it grows like u · d · perimeter/A
-/// Errors    ContractViolation when the normal is not of unit length
+/// Errors    ContractViolation when the normal is not of unit length or the point not finite
 /// Source    Lambert 1760; the angles by atan2, which keeps small and nearly straight ones
 [[nodiscard]] Bounded point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon);
 

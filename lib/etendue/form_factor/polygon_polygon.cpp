@@ -119,10 +119,10 @@ class PairIntegral {
  public:
   PairIntegral(const FacingPair& pair, double budget) : offset_(pair.offset), budget_(budget) {}
 
-  QuadratureSum integrate(const Loop& from, const Loop& to, double goal) {
+  QuadratureSum integrate(const Loop& from, const Loop& to, double goal, int depth = 0) {
     ++pieces_;
     if (auto area = double_area(from, to, offset_, goal, kCheapArea)) return *area;
-    const bool last = pieces_ > budget_;
+    const bool last = pieces_ > budget_ || depth >= kDeepest;
     if (last || kContourTerms * perimeter(from.vertices) * perimeter(to.vertices) <= goal) {
       const QuadratureSum sum = double_contour(from.vertices, shifted(to.vertices, offset_), goal);
       if (last || sum.rounding <= kRoundingShare * goal) return sum;
@@ -138,7 +138,8 @@ class PairIntegral {
     QuadratureSum sum;
     sum.rounding = 2 * seen * cut.swept;
     for (const Loop& half : cut.parts) {
-      const QuadratureSum part = cut_from ? integrate(half, to, 0.5 * goal) : integrate(from, half, 0.5 * goal);
+      const QuadratureSum part =
+          cut_from ? integrate(half, to, 0.5 * goal, depth + 1) : integrate(from, half, 0.5 * goal, depth + 1);
       sum.value += part.value;
       sum.truncation += part.truncation;
       sum.rounding += part.rounding;
@@ -148,6 +149,7 @@ class PairIntegral {
 
  private:
   static constexpr double kRoundingShare = 2;
+  static constexpr int kDeepest = 64;  // halvings in turn: beyond, pieces are lost in the rounding of their corners
   Vec3 offset_;
   double budget_;
   int pieces_ = 0;
@@ -171,13 +173,15 @@ QuadratureSum integrate(const FacingPair& pair, double goal, const Goal& asked) 
   return cut.truncation + cut.rounding < whole.truncation + whole.rounding ? cut : whole;
 }
 
+constexpr int kFinalRoundings = 8;  // the area, its product with 2π, the division
+
 }  // namespace
 
 Bounded form_factor(const Polygon& from, const Polygon& to, Tolerance tolerance) {
   require(tolerance.relative >= 0 && tolerance.absolute >= 0, "form_factor: tolerances are not negative");
   const FacingPair pair = facing_pair(from, to);
-  if (!pair.sees()) return {0, 0};
   const double to_factor = 1 / (2 * std::numbers::pi * pair.from_area);
+  if (!pair.sees()) return {0, std::min(1.0, pair.moved / pair.from_area * (1 + gamma_bound(kFinalRoundings)))};
   const Goal asked{tolerance.relative, tolerance.absolute / to_factor};
   double size = 0.25 * rough_size(pair.from, pair.to, pair.offset);
   QuadratureSum sum;
@@ -187,13 +191,14 @@ Bounded form_factor(const Polygon& from, const Polygon& to, Tolerance tolerance)
     if (sum.truncation <= 0.5 * asked.at(sum.value) || sum.truncation <= sum.rounding) break;
     size = std::min(std::abs(sum.value), 0.25 * size);
   }
-  constexpr int kFinalRoundings = 8;  // the area, its product with 2π, the division
+  constexpr double kMovedShare = 2 * std::numbers::pi;  // the sum is 2π A_1 F_12
   Bounded result;
   result.value = sum.value * to_factor;
-  result.bound =
-      (sum.truncation + sum.rounding + pair.moved) * to_factor + gamma_bound(kFinalRoundings) * std::abs(result.value);
+  result.bound = (sum.truncation + sum.rounding + kMovedShare * pair.moved) * to_factor +
+                 gamma_bound(kFinalRoundings) * std::abs(result.value);
   // 0 ≤ F ≤ 1 holds for the truth: moving the value into the range by at most its error only brings it nearer.
   result.value = std::clamp(result.value, 0.0, 1.0);
+  result.bound = std::min(result.bound, 1.0);
   return result;
 }
 

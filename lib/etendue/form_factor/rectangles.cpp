@@ -16,7 +16,11 @@ namespace {
 using std::numbers::pi;
 
 bool is_length(double x) {
-  return x > 0 && std::isfinite(x);
+  return x >= kShortestLength && x <= kLongestLength;
+}
+
+bool is_ratio(double x) {
+  return x >= kLeastRatio && x <= kGreatestRatio;
 }
 
 /// F = (2/πY) ∫_0^Y (Y − v) atan(X/q)/q³ dv, q² = 1 + v²: every factor is positive. Its singularities v = ±i lie
@@ -50,16 +54,18 @@ Bounded by_formula(double x, double y) {
 
 Bounded parallel_rectangles(double width, double height, double distance) {
   require(is_length(width) && is_length(height) && is_length(distance),
-          "parallel_rectangles: width, height and distance are positive and finite");
+          "parallel_rectangles: width, height and distance are within the lengths of the domain");
   const double x = std::max(width, height) / distance, y = std::min(width, height) / distance;
+  require(is_ratio(x) && is_ratio(y), "parallel_rectangles: the ratios are within the domain");
   return y <= 1 ? by_integral(x, y) : by_formula(x, y);
 }
 
 Bounded perpendicular_rectangles(double width, double height, double common) {
   require(is_length(width) && is_length(height) && is_length(common),
-          "perpendicular_rectangles: width, height and common edge are positive and finite");
+          "perpendicular_rectangles: width, height and common edge are within the lengths of the domain");
   // A_1 F is symmetric in the two: s is the shorter, l the longer, r the hypotenuse.
   const double s = std::min(width, height) / common, l = std::max(width, height) / common;
+  require(is_ratio(s) && is_ratio(l), "perpendicular_rectangles: the ratios are within the domain");
   const double s2 = s * s, l2 = l * l, r = std::hypot(s, l), r2 = s2 + l2;
   const double beyond = s2 / (r + l);  // r − l
   const double gain[] = {0.5 * std::log1p(s2), 2 * s * std::atan(1 / s), 2 * l * std::atan(beyond / (r * l + 1)),

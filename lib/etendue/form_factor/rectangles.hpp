@@ -5,6 +5,17 @@
 
 namespace etendue {
 
+/// Lengths in any unit that the rectangles take: wide enough for every one, and quotients stay normal numbers.
+inline constexpr double kShortestLength = 1e-100;
+inline constexpr double kLongestLength = 1e100;
+
+/// Ratios that the rectangles take: what the integral of C-11 is proved for (NOTES.md §6), and tested to both ends.
+inline constexpr double kLeastRatio = 1e-6;
+inline constexpr double kGreatestRatio = 1e6;
+
+/// Relative error of the rectangles' factors in that domain.
+inline constexpr double kRectangleError = 0x1p-44;
+
 /// Form factor between two equal, parallel, directly opposed rectangles (Howell's C-11), with X = width/distance,
 /// Y = height/distance.
 ///
@@ -14,7 +25,8 @@ namespace etendue {
 /// The sum is of order X²Y² with terms of order one: in double it is empty of digits at X = Y = 1e-4. Where the smaller
 /// ratio is at most one, the positive single integral that the formula is the value of is taken instead (NOTES.md §6).
 ///
-/// Domain    width, height, distance positive and finite
+/// Domain    lengths within [kShortestLength, kLongestLength], width/distance and height/distance within
+///           [kLeastRatio, kGreatestRatio]
 /// Returns   value in (0, 1) and a bound on its absolute error
 /// Accuracy  |value − F| ≤ bound ≤ kRectangleError · value; counted
 /// Errors    ContractViolation outside the domain
@@ -29,14 +41,12 @@ namespace etendue {
 ///
 /// which is C-14 gathered by its three lengths; the difference of the two larger ones is formed without cancellation.
 ///
-/// Domain    width, height, common positive and finite
+/// Domain    lengths within [kShortestLength, kLongestLength], width/common and height/common within
+///           [kLeastRatio, kGreatestRatio]
 /// Returns   value in (0, 1) and a bound on its absolute error
 /// Accuracy  |value − F| ≤ bound ≤ kRectangleError · value; counted
 /// Errors    ContractViolation outside the domain
 /// Source    Howell, catalogue of configuration factors, C-14
 [[nodiscard]] Bounded perpendicular_rectangles(double width, double height, double common);
-
-/// Relative error of the rectangles' factors for ratios between 1e-6 and 1e6.
-inline constexpr double kRectangleError = 0x1p-44;
 
 }  // namespace etendue
