@@ -4,6 +4,7 @@
 #include <CGAL/Gmpq.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "etendue/core/rounding.hpp"
@@ -187,6 +188,32 @@ TEST(GaussianElimination, RefusesWhatIsNoSystem) {
     const auto entry = solve(nan_inside, Eigen::VectorXd::Ones(3));
     ASSERT_FALSE(entry.ok());
     EXPECT_TRUE(holds(entry.error().message.find("(1, 2)") != std::string::npos));
+  }
+}
+
+// CLAIM      IU.6-9: a vector with an entry that is no number is not taken for a solution, let alone a perfect one; where
+//            finite data overflow, the backward error is infinite, not 0 and not NaN.
+// ORACLE     identity: A = I and one entry of A, x or b replaced; products of 1e200, alone and as ∞ − ∞.
+// TOLERANCE  none: refusals, infinities.
+TEST(GaussianElimination, NeverCallsWhatIsNoNumberASolution) {
+  proves({"IU.6-9"}, Oracle::identity, "one entry replaced by NaN or infinity; overflow");
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(2, 2);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(2);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::nan(""), infinity, -infinity}) {
+    Eigen::VectorXd vector = ones;
+    vector(0) = bad;
+    Eigen::MatrixXd matrix = identity;
+    matrix(0, 1) = bad;
+    EXPECT_TRUE(refuses([&] { static_cast<void>(backward_error(identity, vector, ones)); })) << "x";
+    EXPECT_TRUE(refuses([&] { static_cast<void>(backward_error(identity, ones, vector)); })) << "b";
+    EXPECT_TRUE(refuses([&] { static_cast<void>(backward_error(matrix, ones, ones)); })) << "A";
+  }
+  Eigen::MatrixXd cancelling = 1e200 * identity;
+  cancelling(0, 1) = -1e200;
+  for (const Eigen::MatrixXd& matrix : {Eigen::MatrixXd(1e200 * identity), cancelling}) {
+    const BackwardError error = backward_error(matrix, 1e200 * ones, ones);
+    EXPECT_TRUE(holds(error.normwise == infinity && error.componentwise == infinity));
   }
 }
 

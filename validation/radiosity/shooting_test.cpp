@@ -2,6 +2,7 @@
 #include "etendue/radiosity/shooting.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "etendue/core/rounding.hpp"
@@ -58,6 +59,25 @@ TEST(Shooting, OneStepIsThePrintedFormula) {
   const double to_2 = 0.75 * 16 * 0.5 * 2.0 / 4.0;  // 3
   EXPECT_TRUE(holds(after.radiosity == Eigen::Vector3d(10 + to_0, 20 + to_1, 30 + to_2)));
   EXPECT_TRUE(holds(after.unshot == Eigen::Vector3d(8 + to_0, to_1, 4 + to_2)));
+}
+
+// CLAIM      IU.6-12, IU.6-13: an area that is zero, negative or no number is refused by every function that weighs or
+//            divides by it.
+// ORACLE     identity: the documented domain.
+// TOLERANCE  none: refusals.
+TEST(Shooting, RefusesAreasThatAreNotPositive) {
+  proves({"IU.6-12", "IU.6-13"}, Oracle::identity, "one area out of its domain");
+  const Eigen::Vector2d half(0.5, 0.5), emission(8, 0);
+  const ShootingState state = before_shooting(emission);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, std::nan(""), infinity}) {
+    const Eigen::Vector2d areas(1, bad);
+    EXPECT_TRUE(refuses([&] { static_cast<void>(shoot(state, 0, half, half, areas)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(brightest_unshot(state, areas)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(unshot_share(state, emission, areas)); }));
+    const RadiositySystem system{Eigen::MatrixXd::Constant(2, 2, 0.5), half, emission};
+    EXPECT_TRUE(refuses([&] { static_cast<void>(shoot_until(system, areas)); }));
+  }
 }
 
 // CLAIM      IU.6-13: the patch with the largest ΔB_j A_j shoots first, not the one with the largest ΔB_j.

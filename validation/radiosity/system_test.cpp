@@ -258,7 +258,13 @@ TEST(RadiositySystem, RefusesBadDataNamingTheRow) {
   with("row 1: reflectance nan").reflectance(1) = std::nan("");
   with("F(2, 0) = -0.125").form_factors(2, 0) = -0.125;
   with("F(0, 1) = nan").form_factors(0, 1) = std::nan("");
-  with("row 1: ρ Σ_j F_ij = 2.2999999").form_factors(1, 1) = 4;
+  with("row 0: emission nan").emission(0) = std::nan("");
+  with("row 2: emission -1 is negative").emission(2) = -1;
+  with("row 1: F(1, 2) = 3 is not a fraction of power").form_factors(1, 2) = 3;
+  with("row 0: F(0, 2) = 1.0000").form_factors(0, 2) = 1 + 2 * Tolerance{}.relative;
+  RadiositySystem& reflects_all = with("row 1: ρ Σ_j F_ij = 2.25");
+  reflects_all.form_factors.row(1).setOnes();
+  reflects_all.reflectance(1) = 0.75;
   with("there is no patch") = RadiositySystem{Eigen::MatrixXd(0, 0), Eigen::VectorXd(0), Eigen::VectorXd(0)};
   for (const auto& [system, words] : bad) {
     const auto refused = solve_radiosity(system, DirectSolver::gaussian_elimination);
@@ -266,6 +272,79 @@ TEST(RadiositySystem, RefusesBadDataNamingTheRow) {
     EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
     EXPECT_TRUE(holds(refused.error().message.find(words) != std::string::npos)) << refused.error().message;
   }
+}
+
+// CLAIM      IU.6-9: a form factor may exceed 1 by its stated error and by no more.
+// ORACLE     identity: two plates that see each other only, F_12 just inside and just outside.
+// TOLERANCE  none: accepted or refused.
+TEST(RadiositySystem, LetsFormFactorsExceedOneByTheirErrorOnly) {
+  proves({"IU.6-9"}, Oracle::identity, "F_12 = 1 + error, and the next double but one");
+  RadiositySystem system{Eigen::MatrixXd(2, 2), Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(1, 0)};
+  system.form_factors << 0, 1, 1, 0;
+  for (const double error : {0.0, Tolerance{}.relative, 1e-4}) {
+    system.form_factors(0, 1) = 1 + error;
+    EXPECT_TRUE(holds(solve_radiosity(system, DirectSolver::gaussian_elimination, error).ok()));
+    system.form_factors(0, 1) = (1 + error) * (1 + 4 * kUnitRoundoff);
+    EXPECT_TRUE(holds(!solve_radiosity(system, DirectSolver::gaussian_elimination, error).ok()));
+  }
+  EXPECT_TRUE(refuses([&] { static_cast<void>(solve_radiosity(system, DirectSolver::eigen_lu, std::nan(""))); }));
+}
+
+// CLAIM      IU.6-9: an emission so large that radiosities, or the sums that bound them, overflow is an invalid input,
+//            named with its row; what stays in range is solved.
+// ORACLE     closed form: two plates that see each other only, B_1 = E/(1 − ρ²).
+// TOLERANCE  the returned bound; refusals and their words.
+TEST(RadiositySystem, RefusesEmissionsThatOverflow) {
+  proves({"IU.6-9"}, Oracle::closed_form, "E/(1 − ρ²) near the largest double");
+  RadiositySystem system{Eigen::MatrixXd(2, 2), Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(0, 0)};
+  system.form_factors << 0, 1, 1, 0;
+  for (const DirectSolver solver : kSolvers) {
+    for (const double emission : {1e307, 1e308, std::numeric_limits<double>::max()}) {
+      system.emission(1) = emission;
+      const auto refused = solve_radiosity(system, solver);
+      ASSERT_FALSE(refused.ok());
+      EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
+      EXPECT_TRUE(holds(refused.error().message.find("row 1: emission ") != std::string::npos));
+      EXPECT_TRUE(holds(refused.error().message.find("overflow") != std::string::npos)) << refused.error().message;
+    }
+    system.emission(1) = 1e306;
+    const auto solution = solve_radiosity(system, solver);
+    ASSERT_TRUE(solution.ok()) << solution.error().message;
+    EXPECT_TRUE(near(solution->radiosity(1), 1e306 / 0.75, solution->bound + kUnitRoundoff * 2e306));
+  }
+}
+
+// CLAIM      IU.6-9: what breaks the premises of the proof gets no bound: negative form factors, reflectances or factor
+//            bounds, emissions and radiosities that are no numbers. Sums that overflow give an infinite bound.
+// ORACLE     identity: F = −5 and B = E/(1 + 5 ρ) have residual 0, though M = I − ρF is not of the proved kind.
+// TOLERANCE  none: refusals, infinities.
+TEST(RadiositySystem, ProvesNothingOutsideItsPremises) {
+  proves({"IU.6-9"}, Oracle::identity, "one premise broken at a time");
+  const auto lone = [](double factor, double reflectance, double emission) {
+    return RadiositySystem{Eigen::MatrixXd::Constant(1, 1, factor), Eigen::VectorXd::Constant(1, reflectance),
+                           Eigen::VectorXd::Constant(1, emission)};
+  };
+  const auto refused = [](const RadiositySystem& system, double radiosity, double factor_bound) {
+    const Eigen::VectorXd b = Eigen::VectorXd::Constant(1, radiosity);
+    const Eigen::MatrixXd bounds = Eigen::MatrixXd::Constant(1, 1, factor_bound);
+    EXPECT_TRUE(refuses([&] { static_cast<void>(residual_bound(system, b, bounds)); }));
+    if (!(factor_bound >= 0)) return;
+    EXPECT_TRUE(refuses([&] { static_cast<void>(residual_bound(system, b)); }));
+  };
+  const double infinity = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  refused(lone(-5, 0.5, 7), 2, 0);
+  refused(lone(nan, 0.5, 7), 2, 0);
+  refused(lone(0.5, -0.5, 7), 2, 0);
+  refused(lone(0.5, nan, 7), 2, 0);
+  refused(lone(0.5, 0.5, infinity), 2, 0);
+  refused(lone(0.5, 0.5, 7), nan, 0);
+  refused(lone(0.5, 0.5, 7), infinity, 0);
+  refused(lone(0.5, 0.5, 7), 2, -1e-9);
+  refused(lone(0.5, 0.5, 7), 2, nan);
+  const Eigen::VectorXd largest = Eigen::VectorXd::Constant(1, std::numeric_limits<double>::max());
+  const RadiositySystem brilliant = lone(0.5, 0.5, 1e308);
+  EXPECT_TRUE(holds(residual_bound(brilliant, largest).bound == infinity));
+  EXPECT_TRUE(holds(residual_bound(brilliant, -largest, Eigen::MatrixXd::Zero(1, 1)).bound == infinity));
 }
 
 // CLAIM      IU.6-5, IU.6-6: closure and reciprocity defects of a matrix are what was put into it.

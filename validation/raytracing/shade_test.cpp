@@ -151,6 +151,35 @@ TEST(Shade, LooksForBlockersAgainstTheLight) {
   EXPECT_TRUE(std::isinf(shadow.t_max));
 }
 
+// CLAIM      R7: t is a length only for a direction of length one: along one of length 2 a blocker at distance 1 is found
+//            at t = 0.5. ε is the third parameter of RT, the least t: it leaves out what is nearer than it.
+// ORACLE     exact: dyadic coordinates; a disc across the ray, for either kind of accelerator.
+// TOLERANCE  none: dyadic numbers, found or not.
+TEST(Shade, MeasuresTInLengthsOfTheDirection) {
+  proves({"R7", "RT.14"}, Oracle::exact, "a blocker at distance 1 along directions of length 1, 2 and 4");
+  Scene scene;
+  add(scene, Disc{{0, 0, 1}, {0, 0, 1}, 1}, diffuse(0.5));
+  for (const AcceleratorKind kind : {AcceleratorKind::brute_force, AcceleratorKind::bounding_volumes}) {
+    const auto accelerator = make_accelerator(scene, kind);
+    for (const double length : {1.0, 2.0, 4.0}) {
+      const double expected = 1 / length;
+      const auto blocker = [&](double least) { return accelerator->nearest({{0, 0, 0}, {0, 0, length}, least}).hit; };
+      const auto found = blocker(0);
+      ASSERT_TRUE(found.has_value());
+      EXPECT_TRUE(near(found->hit.t, expected, 0));
+      EXPECT_TRUE(holds(blocker(0.75 * expected).has_value())) << "ε below the blocker";
+      EXPECT_TRUE(holds(!blocker(1.25 * expected).has_value())) << "ε beyond the blocker";
+      const auto blocked = [&](double least) {
+        return accelerator->obstruction({{0, 0, 0}, {0, 0, length}, least}).blocked;
+      };
+      EXPECT_TRUE(holds(blocked(0.75 * expected) && !blocked(1.25 * expected)));
+    }
+    const auto twice = accelerator->nearest({{0, 0, 0}, {0, 0, 2}}).hit;
+    ASSERT_TRUE(twice.has_value());
+    EXPECT_TRUE(apart(twice->hit.t, 1, 0.25)) << "t taken for the distance";
+  }
+}
+
 // CLAIM      IU.5.4b, G8: no acne. A convex shape never shades its own lit side, whatever its size and place; the
 //            text's ε = 1e-5 would be lost in the rounding of coordinates, or leap over a small shape.
 // ORACLE     identity: a lone sphere is lit exactly where N·L > 0.

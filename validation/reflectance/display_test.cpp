@@ -136,15 +136,17 @@ TEST(Transparency, IsNotOpacity) {
   EXPECT_TRUE(within(difference(see_through(black, white, transparency(1, vase)), Rgb::Constant(0.9)), 6.2 * u));
 }
 
-// CLAIM      IU.4.4a, E10: what refracts is the front polygon: its transparency counts. Before an opaque back (t_b =
-//            0) a perfectly clear front (t_f = 1) shows the back; with t_b in its place, as printed, it would hide
-//            it.
+// CLAIM      IU.4.4a, E4: the transparency that counts is the front's: a perfectly clear front (t = 1) shows the back, an
+//            opaque one (t = 0) hides it; as printed, the two change places.
 // ORACLE     exact: dyadic mixtures.
 // TOLERANCE  none.
 TEST(Transparency, IsThatOfTheFrontObject) {
-  proves({"E10", "IU.4.4a"}, Oracle::exact, "dyadic mixtures");
+  proves({"E4", "IU.4.4a"}, Oracle::exact, "dyadic mixtures");
   const Rgb front(1, 0.5, 0), back(0, 0.25, 1);
   const double clear = 1, opaque = 0;
+  const auto printed = [&](double t) -> Rgb { return t * front + (1 - t) * back; };
+  EXPECT_TRUE(apart(difference(printed(clear), back), 0, 0.25));
+  EXPECT_TRUE(apart(difference(printed(opaque), front), 0, 0.25));
   EXPECT_TRUE(within(difference(see_through(front, back, clear), back), 0));
   EXPECT_TRUE(within(difference(see_through(front, back, opaque), front), 0));
   EXPECT_TRUE(within(difference(see_through(front, back, 0.25), Rgb(0.75, 0.4375, 0.25)), 0));

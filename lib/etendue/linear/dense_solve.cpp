@@ -35,6 +35,18 @@ std::optional<Error> unfit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd&
   return std::nullopt;
 }
 
+constexpr BackwardError kNothingShown{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
+/// Entry by entry: Eigen's allFinite() is a sum that may overflow.
+bool all_finite(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      if (!std::isfinite(values(i, j))) return false;
+    }
+  }
+  return true;
+}
+
 Result<LinearSolution> judged(const Eigen::MatrixXd& matrix, Eigen::VectorXd x, const Eigen::VectorXd& rhs) {
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
     if (!std::isfinite(x(i))) return invalid("unknown " + std::to_string(i) + " overflows: matrix is near singular");
@@ -47,6 +59,7 @@ Result<LinearSolution> judged(const Eigen::MatrixXd& matrix, Eigen::VectorXd x, 
 
 BackwardError backward_error(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {
   require(matrix.rows() == rhs.rows() && matrix.cols() == x.rows(), "backward_error: the sizes fit");
+  require(all_finite(matrix) && all_finite(x) && all_finite(rhs), "backward_error: entries are finite");
   const double gamma = gamma_bound(static_cast<int>(matrix.cols()) + 2);
   double worst_componentwise = 0;
   double worst_residual = 0;
@@ -61,12 +74,15 @@ BackwardError backward_error(const Eigen::MatrixXd& matrix, const Eigen::VectorX
       scale += std::abs(term);
       row_sum += std::abs(matrix(i, j));
     }
+    // Products that overflow may cancel to NaN in the residual, which max would pass over.
+    if (!std::isfinite(scale) || !std::isfinite(residual)) return kNothingShown;
     matrix_norm = std::max(matrix_norm, row_sum);
     worst_residual = std::max(worst_residual, std::abs(residual) + gamma * scale);
     if (scale > 0) worst_componentwise = std::max(worst_componentwise, std::abs(residual) / scale + gamma);
   }
   const double norm =
       matrix_norm * (x.size() ? x.lpNorm<Eigen::Infinity>() : 0) + (rhs.size() ? rhs.lpNorm<Eigen::Infinity>() : 0);
+  if (!std::isfinite(norm)) return kNothingShown;
   // 1 + 4 γ: the sums in both denominators and the divisions themselves (NOTES.md §2).
   return {norm > 0 ? worst_residual / norm * (1 + 4 * gamma) : 0, worst_componentwise * (1 + 4 * gamma)};
 }

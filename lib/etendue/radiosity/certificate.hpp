@@ -20,7 +20,8 @@ struct ResidualBound {
 ///
 ///     ‖B − exact B‖∞ ≤ max_i |r_i| / (1 − ρ_i Σ_j F_ij),   r = E + diag(ρ) F B − B
 ///
-/// Domain    dominance() > 0 for every row (contract), F_ij ≥ 0, finite B
+/// Contract  sizes fit, F_ij ≥ 0 and ρ_i ≥ 0, E and B finite, dominance() > 0 for every row; all are checked
+/// Returns   an infinite bound where the magnitudes of a row overflow: nothing is shown then
 /// Accuracy  proved, the rounding of r, of the denominator and of the quotient enclosed: NOTES.md §1 and §2
 [[nodiscard]] ResidualBound residual_bound(const RadiositySystem& system, const Eigen::VectorXd& radiosity);
 
@@ -29,8 +30,8 @@ struct ResidualBound {
 ///
 ///     ‖B − exact B‖∞ ≤ max_i ( |r_i| + ρ_i Σ_j δ_ij |B_j| ) / (1 − ρ_i Σ_j (F_ij + δ_ij))
 ///
-/// Contract  sizes fit, δ_ij ≥ 0 finite
-/// Returns   infinity where a row with F + δ cannot be shown to be dominant
+/// Contract  as above but for dominance, and δ_ij ≥ 0 (infinite: nothing is known of F_ij)
+/// Returns   infinity where a row with F + δ cannot be shown to be dominant, or overflows
 /// Accuracy  proved as far as δ is: NOTES.md §3
 [[nodiscard]] ResidualBound residual_bound(const RadiositySystem& system, const Eigen::VectorXd& radiosity,
                                            const Eigen::MatrixXd& factor_bounds);

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/radiosity/shooting.hpp"
 
+#include <cmath>
+
 #include "etendue/core/contract.hpp"
 
 namespace etendue {
 
 namespace {
+
+/// Areas divide, and weigh the powers: one that is zero, negative or not a number would spoil both.
+bool all_positive(const Eigen::VectorXd& areas) {
+  for (Eigen::Index i = 0; i < areas.size(); ++i) {
+    if (!(areas(i) > 0) || !std::isfinite(areas(i))) return false;
+  }
+  return true;
+}
 
 /// In the order of the indices, so that the bits do not depend on how Eigen was vectorised.
 double power(const Eigen::VectorXd& radiosity, const Eigen::VectorXd& areas) {
@@ -22,6 +32,7 @@ ShootingState before_shooting(const Eigen::VectorXd& emission) {
 
 Eigen::Index brightest_unshot(const ShootingState& state, const Eigen::VectorXd& areas) {
   require(areas.size() == state.unshot.size() && areas.size() > 0, "brightest_unshot: one area a patch");
+  require(all_positive(areas), "brightest_unshot: areas are positive");
   Eigen::Index best = 0;
   for (Eigen::Index j = 1; j < areas.size(); ++j) {
     if (state.unshot(j) * areas(j) > state.unshot(best) * areas(best)) best = j;
@@ -35,6 +46,7 @@ ShootingState shoot(const ShootingState& state, Eigen::Index j, const Eigen::Vec
   require(j >= 0 && j < n, "shoot: the patch exists");
   require(factors_from_j.size() == n && reflectance.size() == n && areas.size() == n,
           "shoot: one form factor, reflectance and area a patch");
+  require(all_positive(areas), "shoot: areas are positive");
   ShootingState next = state;
   next.unshot(j) = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -48,6 +60,7 @@ ShootingState shoot(const ShootingState& state, Eigen::Index j, const Eigen::Vec
 double unshot_share(const ShootingState& state, const Eigen::VectorXd& emission, const Eigen::VectorXd& areas) {
   require(emission.size() == areas.size() && areas.size() == state.unshot.size(),
           "unshot_share: one emission and area a patch");
+  require(all_positive(areas), "unshot_share: areas are positive");
   const double emitted = power(emission, areas);
   require(emitted > 0, "unshot_share: something is emitted");
   return power(state.unshot, areas) / emitted;

@@ -8,6 +8,7 @@
 
 // Progressive refinement: patches shoot their unshot light, one after the other. A step needs the form factors of one
 // patch only.                                                                                       @eq IU.6.6
+// Contract of all functions: areas are positive.
 namespace etendue {
 
 /// The radiosities found so far, and the part of them that no other patch has seen yet.
@@ -29,7 +30,7 @@ struct ShootingState {
 /// Symbols   F_ji form factors from j, one a patch; ρ reflectances; A areas [m²]
 /// Domain    a concave patch may see itself (F_jj > 0): what it gives itself stays unshot
 /// Accuracy  componentwise relative error of one increment ≤ γ_4, proved: four operations
-/// Errors    ContractViolation where sizes or the index do not fit
+/// Errors    ContractViolation where sizes or the index do not fit, or an area is not positive
 [[nodiscard]] ShootingState shoot(const ShootingState& state, Eigen::Index j, const Eigen::VectorXd& factors_from_j,
                                   const Eigen::VectorXd& reflectance, const Eigen::VectorXd& areas);
 

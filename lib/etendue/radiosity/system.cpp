@@ -20,7 +20,7 @@ Error invalid(const Parts&... parts) {
   return {ErrorCode::invalid_input, "radiosity system: " + text.str()};
 }
 
-std::optional<Error> refusal(const RadiositySystem& system) {
+std::optional<Error> refusal(const RadiositySystem& system, double factor_error) {
   const Eigen::Index n = system.form_factors.rows();
   if (system.form_factors.cols() != n || system.reflectance.size() != n || system.emission.size() != n) {
     return invalid("F is ", n, " × ", system.form_factors.cols(), ", ρ has ", system.reflectance.size(),
@@ -30,10 +30,12 @@ std::optional<Error> refusal(const RadiositySystem& system) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const double rho = system.reflectance(i);
     if (!(rho >= 0 && rho < 1)) return invalid("row ", i, ": reflectance ", rho, " is not in [0, 1)");
-    if (!std::isfinite(system.emission(i))) return invalid("row ", i, ": emission is not finite");
+    const double emission = system.emission(i);
+    if (!std::isfinite(emission)) return invalid("row ", i, ": emission ", emission, " is not finite");
+    if (emission < 0) return invalid("row ", i, ": emission ", emission, " is negative");
     for (Eigen::Index j = 0; j < n; ++j) {
       const double factor = system.form_factors(i, j);
-      if (!(factor >= 0) || !std::isfinite(factor)) {
+      if (!(factor >= 0 && factor <= 1 + factor_error) || !std::isfinite(factor)) {
         return invalid("row ", i, ": F(", i, ", ", j, ") = ", factor, " is not a fraction of power");
       }
     }
@@ -45,6 +47,29 @@ std::optional<Error> refusal(const RadiositySystem& system) {
   return std::nullopt;
 }
 
+double reach(const RadiositySystem& system, Eigen::Index row) {
+  return system.emission(row) / dominance(system, row);
+}
+
+/// No B_i exceeds max_i E_i / (1 − ρ_i Σ_j F_ij) (NOTES.md §1 with B̂ = 0): the row that allows the most is to blame.
+Error overflow(const RadiositySystem& system) {
+  Eigen::Index worst = 0;
+  for (Eigen::Index i = 1; i < system.emission.size(); ++i) {
+    if (reach(system, i) > reach(system, worst)) worst = i;
+  }
+  return invalid("row ", worst, ": emission ", system.emission(worst),
+                 " with 1 − ρ Σ_j F_ij = ", dominance(system, worst), ": radiosities or their bounds overflow");
+}
+
+/// Headroom for the sums of n products that the elimination forms; what overflows all the same is seen afterwards.
+bool has_headroom(const RadiositySystem& system) {
+  const auto room = 16 * static_cast<double>(system.emission.size());
+  for (Eigen::Index i = 0; i < system.emission.size(); ++i) {
+    if (!std::isfinite(room * reach(system, i))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Eigen::MatrixXd radiosity_matrix(const RadiositySystem& system) {
@@ -53,13 +78,16 @@ Eigen::MatrixXd radiosity_matrix(const RadiositySystem& system) {
   return matrix;
 }
 
-Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver) {
-  if (const auto error = refusal(system)) return *error;
+Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver, double factor_error) {
+  require(factor_error >= 0, "solve_radiosity: the error of the form factors is not negative");
+  if (const auto error = refusal(system, factor_error)) return *error;
+  if (!has_headroom(system)) return overflow(system);
   const Eigen::MatrixXd matrix = radiosity_matrix(system);
   const auto solved = solver == DirectSolver::eigen_lu ? solve_eigen_lu(matrix, system.emission)
                                                        : solve_gaussian(matrix, system.emission);
   if (!solved) return solved.error();
   const ResidualBound certificate = residual_bound(system, solved->x);
+  if (!std::isfinite(certificate.bound)) return overflow(system);
   return RadiositySolution{solved->x, certificate.residual, certificate.bound, solved->backward_error.componentwise};
 }
 

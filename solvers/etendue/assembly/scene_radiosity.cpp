@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/assembly/scene_radiosity.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -31,11 +32,13 @@ Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMe
   for (std::size_t i = 0; i < n; ++i) {
     areas(static_cast<Eigen::Index>(i)) = mesh.elements[i].polygon.area() * square_metres;
   }
+  // The factors may exceed 1 by as much as they were computed to.
+  const double factor_error = std::max(Tolerance{}.relative, n > 0 ? matrix.bounds.maxCoeff() : 0);
   SceneRadiosity result{std::vector<Rgb>(n, Rgb::Zero()), {}};
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
     const RadiositySystem system = radiosity_system(scene, mesh, matrix.factors, channel);
-    auto solved = solve_radiosity(system, solver);
+    auto solved = solve_radiosity(system, solver, factor_error);
     if (!solved) return Error{solved.error().code, std::string(kChannels[c]) + " channel: " + solved.error().message};
     const Eigen::VectorXd& radiosity = solved->radiosity;
     for (std::size_t i = 0; i < n; ++i) result.radiosity[i](channel) = radiosity(static_cast<Eigen::Index>(i));
