@@ -84,11 +84,22 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   }
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
 
+  // A background job ignores interrupts, and its children would: these start as from a terminal.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t heeded;
+  sigemptyset(&heeded);
+  sigaddset(&heeded, SIGINT);
+  sigaddset(&heeded, SIGTERM);
+  posix_spawnattr_setsigdefault(&attributes, &heeded);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+
   const auto begin = Clock::now();
   pid_t process = 0;
   const int failure =
-      posix_spawn(&process, program.c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
+      posix_spawn(&process, program.c_str(), &actions, &attributes, pointers(words).data(), pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
   if (ends[1] >= 0) ::close(ends[1]);
   if (failure != 0) throw std::runtime_error("cannot start " + program.string());
 
