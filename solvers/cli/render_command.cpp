@@ -193,6 +193,10 @@ int explain_pixel(const Request& request, const Options& options, const Accelera
     out << to_text(tree, scene);
     return 0;
   }
+  std::error_code absent;
+  if (std::filesystem::equivalent(request.common.output, request.scene, absent)) {
+    return fail(err, {ErrorCode::usage, "the graph would replace the scene; name another file by --output"});
+  }
   const auto written = write_file(request.common.output, to_dot(tree, scene));
   if (!written) return fail(err, written.error());
   if (!request.common.quiet) out << request.common.output.string() << '\n';

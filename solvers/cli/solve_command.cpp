@@ -150,6 +150,13 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
     const auto writable = check_image_path(request.common.output);
     if (!writable) return fail(err, writable.error());
   }
+  for (const char* ending : {".json", ".incomplete.json"}) {
+    std::error_code absent;
+    if (fs::equivalent(stem(request) + ending, request.scene, absent)) {
+      return options.usage_error(
+          err, "the report " + stem(request) + ending + " would replace the scene; name another by --output");
+    }
+  }
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);
   if (!outcome) return fail(err, outcome.error());

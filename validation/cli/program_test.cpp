@@ -223,6 +223,22 @@ TEST(Program, SavesWhatIsDoneWhenInterrupted) {
   EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 2));
 }
 
+// CLAIM      No output of a command replaces the scene it was made from: refused with 2, the scene as it was.
+// ORACLE     exact: exit code and the file's bytes.
+// TOLERANCE  none.
+TEST(Program, NeverReplacesItsScene) {
+  proves({}, Oracle::exact, "exit code and the scene's bytes");
+  const TemporaryFolder folder;
+  const std::string text = read_text(minimal_scene());
+  const auto scene = folder.add("room.json", text);
+  const std::string picture = (folder.path() / "room.png").string();
+  EXPECT_EQ(run_etendue({"solve", scene.string(), "--output", picture}).code, 2);
+  EXPECT_EQ(read_text(scene), text);
+  EXPECT_EQ(run_etendue({"render", scene.string(), "--ray-tree", "1,1", "--output", scene.string()}).code, 2);
+  EXPECT_EQ(read_text(scene), text);
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 4));
+}
+
 /// The sample runs at the end of a help text.
 std::vector<std::string> sample_runs(const std::string& help) {
   std::vector<std::string> runs;

@@ -179,9 +179,9 @@ Outlook outlook(const Ray& ray, const std::vector<Vec3>& vertices) {
 }
 
 // A ray that passes an edge within the rounding of the shear may meet the plane far outside the polygon; t is then the
-// nearest corner's. Elsewhere the plane's t stands, which the corners' range holds but for rounding: one range is room.
+// nearest corner's. Elsewhere the plane's t stands, which the corners' range holds but for its own rounding.
 DoubleDouble kept_near(const DoubleDouble& t, const Outlook& seen) {
-  const double room = (seen.last - seen.first) + kTriangleShift * std::max(std::abs(seen.first), std::abs(seen.last));
+  const double room = kTriangleShift * std::max(std::abs(seen.first), std::abs(seen.last));
   if (t.high < seen.first - room) return seen.first;
   if (t.high > seen.last + room) return seen.last;
   return t;
