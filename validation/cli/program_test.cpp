@@ -17,27 +17,22 @@ std::string minimal_scene() {
   return (source_root() / "scenes" / "minimal" / "scene.json").string();
 }
 
-// CLAIM      `etendue --version` answers in under 20 ms, and opens no OpenImageIO to do so.
-// ORACLE     exact: the wall clock, best of twenty; the dynamic linker's own account.
-// TOLERANCE  20 ms as demanded; the best of twenty, since the machine may be busy.
+// CLAIM      `etendue --version` opens no OpenImageIO, which is what lets it answer in milliseconds (ci/measure).
+// ORACLE     exact: the dynamic linker's own account.
+// TOLERANCE  none.
 TEST(Program, AnswersVersionAtOnce) {
-  proves({}, Oracle::exact, "the clock and the dynamic linker's account");
-  constexpr double kLongest = 0.020;
-  double best = 1;
-  for (int i = 0; i < 20; ++i) {
-    const Ended ended = run_etendue({"--version"});
-    EXPECT_EQ(ended.code, 0);
-    EXPECT_EQ(ended.out, std::string("etendue ") + version() + "\n");
-    EXPECT_EQ(ended.err, "");
-    best = std::min(best, ended.seconds);
-  }
-  EXPECT_TRUE(within(best, kLongest));
+  proves({}, Oracle::exact, "the dynamic linker's account");
+  const Ended ended = run_etendue({"--version"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out, std::string("etendue ") + version() + "\n");
+  EXPECT_EQ(ended.err, "");
   ProcessOptions traced;
   traced.environment = {{"LD_DEBUG", "libs"}};
   const Ended linking = run_etendue({"--version"}, traced);
   EXPECT_NE(linking.err.find("libstdc++"), std::string::npos) << "the account must be there to prove anything";
   EXPECT_EQ(linking.err.find("OpenImageIO"), std::string::npos);
   EXPECT_EQ(linking.err.find("etendue_io"), std::string::npos);
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 6));
 }
 
 // CLAIM      Wrong use of the program itself is refused with exit code 2, on standard error, with the nearest word.
