@@ -10,7 +10,7 @@ namespace etendue {
 
 std::optional<Hit> intersect(const Ray& ray, const Disc& disc) {
   require_direction(ray);
-  require(is_unit(disc.normal), "intersect: the disc's normal is a unit vector");
+  require(is_unit_normal(disc.normal), "intersect: the disc's normal is a unit vector");
   require(disc.radius > 0 && std::isfinite(disc.radius), "intersect: the disc's radius is positive and finite");
   require(disc.centre.allFinite(), "intersect: the disc's centre is finite");
   const auto t = meet_plane(ray, disc.normal, disc.centre);

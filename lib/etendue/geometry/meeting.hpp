@@ -41,7 +41,7 @@ struct TangentFrame {
 /// its length, once more for products of two of them.
 inline constexpr double kUnitNormal = 0x1p-49;
 
-[[nodiscard]] inline bool is_unit(const Vec3& normal) {
+[[nodiscard]] inline bool is_unit_normal(const Vec3& normal) {
   return std::abs(normal.squaredNorm() - 1) <= kUnitNormal;
 }
 

@@ -8,7 +8,7 @@ namespace etendue {
 
 std::optional<Hit> intersect(const Ray& ray, const Plane& plane) {
   require_direction(ray);
-  require(is_unit(plane.normal), "intersect: the plane's normal is a unit vector");
+  require(is_unit_normal(plane.normal), "intersect: the plane's normal is a unit vector");
   require(plane.point.allFinite(), "intersect: the plane's point is finite");
   const auto t = meet_plane(ray, plane.normal, plane.point);
   if (!t) return std::nullopt;
