@@ -21,9 +21,8 @@ const std::vector<Command>& commands();
 /// message and an exit code. Data goes to `out`, messages to `err`.
 ///
 /// Returns   0 done, 1 a check failed, 2 usage, 3 invalid input, 4 tolerance or convergence not reached, 5 input/output
-/// (or
-///           out of memory), 6 stopped with what was done saved. A defect of the program itself, a broken contract, is
-///           a failed check: 1. When `out` did not take all data, 0 becomes 5.
+///           (or out of memory), 6 stopped with what was done saved. A defect of the program itself, a broken contract,
+///           is a failed check: 1. When `out` did not take all data, 0 becomes 5.
 int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace etendue::cli

@@ -110,9 +110,8 @@ Ray random_ray(Random& random, const BoundingVolumes& volumes, std::size_t trial
 }
 
 // CLAIM      IU.5.7, IU.5.7.1, RT.3: the hierarchy of boxes finds exactly what brute force finds, object, part, t,
-// point and
-//            normal, ties and limited rays included; brute force finds the first of all surfaces; both know when
-//            nothing is met.
+//            point and normal, ties and limited rays included; brute force finds the first of all surfaces; both know
+//            when nothing is met.
 // ORACLE     identity: a plain loop over all objects, written out here.
 // TOLERANCE  none: all bits.
 TEST(Accelerator, FindsWhatBruteForceFinds) {
@@ -150,8 +149,7 @@ TEST(Accelerator, FindsWhatBruteForceFinds) {
 }
 
 // CLAIM      IU.5.7.1: every node's box holds the boxes of its parts, every surface is in one leaf, planes are kept
-// aside; the
-//            hierarchy tests a small part of what brute force tests.
+//            aside; the hierarchy tests a small part of what brute force tests.
 // ORACLE     identity: the definition of a bounding volume; counts.
 // TOLERANCE  none; the saving on 2,000 small spheres is at least twentyfold (measured: more than a hundredfold).
 TEST(Accelerator, BoundsVolumesByVolumes) {

@@ -44,8 +44,9 @@ Scene room_with_screen() {
 }
 
 // CLAIM      IU.6-6, IU.6.2: in a closed box of unobstructed elements every row sums to one, and no element sees
-// itself. ORACLE     identity: closure. TOLERANCE  1e-10, the bar of the project; also the sum of the returned bounds
-// of the row and of its roundings.
+//            itself.
+// ORACLE     identity: closure.
+// TOLERANCE  1e-10, the bar of the project; also the sum of the returned bounds of the row and of its roundings.
 TEST(FormFactorMatrix, ClosesABoxToTenDigits) {
   proves({"IU.6-6", "IU.6.2", "IU.6-3"}, Oracle::identity, "Σ_j F_ij = 1 in a closed box");
   const ElementMesh mesh = *mesh_elements(turned_furnace(0.5, 1));
@@ -89,12 +90,10 @@ TEST(FormFactorMatrix, SolvesTheFurnaceToTwelveDigits) {
 }
 
 // CLAIM      IU.6-5, IU.6-4: the matrix is reciprocal by construction, and the two directions agree when each is
-// computed
-//            on its own, with a screen in the way too.
+//            computed on its own, with a screen in the way too.
 // ORACLE     metamorphic: A_i F_ij against A_j F_ji, from two calls.
 // TOLERANCE  by construction three roundings of the exchange area; computed on their own the bounds of the pair, which
-// the
-//            report counts.
+//            the report counts.
 TEST(FormFactorMatrix, IsReciprocal) {
   proves({"IU.6-5", "IU.6-4"}, Oracle::metamorphic, "the same pair from both sides");
   const ElementMesh mesh = *mesh_elements(room_with_screen());

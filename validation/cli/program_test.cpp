@@ -131,8 +131,7 @@ TEST(Program, RefusesWrongScenesWithTheirPlace) {
 }
 
 // CLAIM      Scenes that cannot be read and pictures that cannot be written make exit code 5 (a wrong kind of picture:
-// 2), and
-//            leave nothing half-written.
+//            2), and leave nothing half-written.
 // ORACLE     exact: the folder's contents.
 // TOLERANCE  none.
 TEST(Program, RefusesFilesItCannotReadOrWrite) {
@@ -175,7 +174,9 @@ TEST(Program, RefusesFilesItCannotReadOrWrite) {
 }
 
 // CLAIM      A picture carries version and scene hash; --quiet says nothing; no carriage return reaches a pipe or a
-// file. ORACLE     exact: the streams and the picture's attributes. TOLERANCE  none.
+//            file.
+// ORACLE     exact: the streams and the picture's attributes.
+// TOLERANCE  none.
 TEST(Program, KeepsItsStreamsClean) {
   proves({}, Oracle::exact, "the streams and the picture's attributes");
   const TemporaryFolder folder;

@@ -85,7 +85,8 @@ TEST(FormFactor, OfAPlanarPatchToItselfIsZero) {
 
 // CLAIM      E20: "the n factors F_ii are zero" fails for concave patches: a hemisphere keeps half of what it emits.
 // ORACLE     identity: of a dome over a flat base, A_base leaves through it: F_ii = 1 − A_base/A_dome, 0.5 in the
-// limit. TOLERANCE  the summed bounds, and kSums for the areas.
+//            limit.
+// TOLERANCE  the summed bounds, and kSums for the areas.
 TEST(FormFactor, OfADomeToItselfTendsToOneHalf) {
   proves({"E20", "IU.6.2"}, Oracle::identity, "a dome of 12 x 5 facets: 1 - A_base/A_dome, near 0.5");
   constexpr int kSectors = 12, kBands = 5;

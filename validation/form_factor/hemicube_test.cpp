@@ -108,8 +108,7 @@ TEST(Hemicube, CosineOnASideIsOneOverTheDistance) {
 }
 
 // CLAIM      IU.6.4.1, E24: an eighth of the top (and the diagonal) and half of a half-height side are distinct; a
-// quarter
-//            of such a side would be too little.
+//            quarter of such a side would be too little.
 // ORACLE     exact: orbits of integer pixel coordinates under the symmetries of the face, counted by sets.
 // TOLERANCE  none: counts and equalities.
 TEST(Hemicube, StoresOneFactorForEachOrbitOfItsSymmetry) {

@@ -54,8 +54,7 @@ double rounded(double value) {
 }
 
 // CLAIM      IU.6-3: form_factor keeps its bound for polygons in general position: apart, touching along an edge or in
-// a
-//            vertex, piercing, concave, unequal, narrow, near (gap 1e-6), far (10 to 1e6), scaled and moved by 1e6.
+//            a vertex, piercing, concave, unequal, narrow, near (gap 1e-6), far (10 to 1e6), scaled and moved by 1e6.
 // ORACLE     reference/pair_form_factor.csv: the contour at 600 bits (reference/pair_form_factor_table.cpp).
 // TOLERANCE  the returned bound, itself below the 1e-9 of the value that was asked.
 TEST(FormFactor, KeepsItsBoundInGeneralPosition) {

@@ -34,9 +34,10 @@ TEST(PointToPolygon, MeetsTheCornerFormula) {
 }
 
 // CLAIM      IU.6-2: for a small polygon F tends to cos φ_i cos φ_j dA/(π R²), with an error of second order in its
-// size. ORACLE     closed form: the formula itself. TOLERANCE  (size/R)² of the value: half the Laplacian of the kernel
-// is below 12 kernel/R², a square of side s has second
-//            moments s²/12; and the returned bound.
+//            size.
+// ORACLE     closed form: the formula itself.
+// TOLERANCE  (size/R)² of the value: half the Laplacian of the kernel is below 12 kernel/R², a square of side s has
+//            second moments s²/12; and the returned bound.
 TEST(PointToPolygon, TendsToTheDifferentialFactor) {
   proves({"IU.6-2"}, Oracle::closed_form, "cos cos dA/(pi R^2) at sizes 0.1 to 1e-3");
   const Vec3 centre(0.6, -0.3, 1.2);

@@ -50,8 +50,7 @@ void compare(const Shape& shape, const Vec3& target, Random& random, Tally& tall
 }
 
 // CLAIM      IU.5.7.1: bounds() contains every point that is hit, and the slab test never drops a hit: rays aimed at
-// the
-//            outermost points of each shape, in random frames, around the origin and far away.
+//            the outermost points of each shape, in random frames, around the origin and far away.
 // ORACLE     identity: what intersect() hits lies in the bounds.
 // TOLERANCE  none; for triangles kTriangleShift, as documented at bounds().
 TEST(Aabb, NoHitIsOutsideOfItsBounds) {
@@ -84,8 +83,7 @@ TEST(Aabb, NoHitIsOutsideOfItsBounds) {
 }
 
 // CLAIM      IU.5.7.1: bounds are not idle: the box of a sphere is its cube to 2^-46, that of a disc to 2^-24; a ray
-// beside
-//            a box misses it, an empty box is missed by all.
+//            beside a box misses it, an empty box is missed by all.
 // ORACLE     closed form: extents of sphere, disc and triangle.
 // TOLERANCE  2^-46 and 2^-24 of the coordinates, as documented at bounds().
 TEST(Aabb, BoundsAreTight) {

@@ -19,8 +19,7 @@ Vec3 vector_area(const std::vector<Vec3>& chain) {
 }
 
 // CLAIM      IU.5.6.2: a concave polygon and the two parts a plane cuts it into have the same area vector, and every
-// corner
-//            of a part lies in front of the plane.
+//            corner of a part lies in front of the plane.
 // ORACLE     identity: areas add up; exact: distances from the plane in rationals.
 // TOLERANCE  4 u of the coordinates for a new corner, as documented; times the perimeter for the area.
 TEST(Clip, PartsAddUpToTheWhole) {

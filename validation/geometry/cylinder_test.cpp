@@ -19,8 +19,7 @@ double height_at(const Ray& ray, const Cylinder& cylinder, double t) {
 //            inside, also by grazing rays.
 // ORACLE     exact: the quadratic of the infinite cylinder in rationals, roots at 1000 bits.
 // TOLERANCE  kCylinderUlps for t; the hit's own point_error; decisions are open where a root's height is within 2^-40
-// of an
-//            end (the test's own height is only double), and nowhere else.
+//            of an end (the test's own height is only double), and nowhere else.
 TEST(Cylinder, IsHitAsTheExactQuadraticSays) {
   proves({"IU.5.0"}, Oracle::exact, "rational quadratic, roots at 1000 bits");
   constexpr double kEnd = 0x1p-40;
@@ -67,7 +66,9 @@ TEST(Cylinder, IsHitAsTheExactQuadraticSays) {
 }
 
 // CLAIM      IU.5.0: the ends are open, a tangent and a ray along the axis are misses, an origin on the wall is not hit
-// at 0. ORACLE     closed form: the unit cylinder around z from 0 to 2. TOLERANCE  none.
+//            at 0.
+// ORACLE     closed form: the unit cylinder around z from 0 to 2.
+// TOLERANCE  none.
 TEST(Cylinder, IsOnlyItsWall) {
   proves({"IU.5.0"}, Oracle::closed_form, "the unit cylinder around z");
   const Cylinder wall{{0, 0, 0}, {0, 0, 2}, 1};

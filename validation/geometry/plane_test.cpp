@@ -52,7 +52,9 @@ TEST(Plane, KeepsItsUlps) {
 }
 
 // CLAIM      IU.5-13, RT.12: a ray exactly parallel to the plane, or in it, is a miss; t ≤ 0 and t ≥ the nearest so far
-// too. ORACLE     closed form: integer vectors, every number exact. TOLERANCE  none.
+//            too.
+// ORACLE     closed form: integer vectors, every number exact.
+// TOLERANCE  none.
 TEST(Plane, RejectsParallelBehindAndFarther) {
   proves({"IU.5-13", "RT.12", "IU.5-1", "RT.2"}, Oracle::closed_form, "integer vectors");
   // |(2, 3, 6)| = 7: a unit normal that is almost (2, 3, 6)/7, and directions with N·D = 0 exactly by antisymmetry.

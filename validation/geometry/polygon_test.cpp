@@ -112,8 +112,7 @@ TEST(Polygon, BoundaryPointsBelongToOneNeighbour) {
 }
 
 // CLAIM      E16: counting vertices on the u axis to the +u side gives the diamond two crossings; counting them to the
-// +v
-//            side gives one.
+//            +v side gives one.
 // ORACLE     closed form: the origin is the diamond's centre, an odd number of crossings is inside.
 // TOLERANCE  none.
 TEST(Polygon, DiamondAroundTheOriginContainsIt) {
@@ -134,8 +133,7 @@ TEST(Polygon, DiamondAroundTheOriginContainsIt) {
 }
 
 // CLAIM      G9: the normal from the first three vertices is reversed at a reflex start and undefined for collinear
-// ones;
-//            Newell's sum is right for both, and for every start.
+//            ones; Newell's sum is right for both, and for every start.
 // ORACLE     closed form: the polygon lies in z = 0 counter-clockwise, so its normal is +z.
 // TOLERANCE  none for the unrotated polygon.
 TEST(Polygon, NormalIsNewells) {
@@ -203,8 +201,7 @@ TEST(Polygon, ScalesExactlyByPowersOfTwo) {
 }
 
 // CLAIM      RT.11, RT.12: a ray hits a convex polygon where it hits its plane, iff it hits one of the m − 2 triangles
-// of
-//            the fan.
+//            of the fan.
 // ORACLE     the triangle test, and the exact distance of the ray from the fan's edges where the two differ.
 // TOLERANCE  decisions within the triangles' shift and the polygon's point_error of an edge are open; the polygon's
 //            plane is off the triangle's by the rounding of its vertices, 4 u of their size over the cosine to the ray.
@@ -265,9 +262,8 @@ bool names(const std::string& message, const std::string& what) {
 }
 
 // CLAIM      R6, RT.11: what makes a polygon's plane is that its vertices lie in it, not that it is convex: a convex
-// but
-//            warped chain is refused, a flat concave one is not. Every other flaw is refused with the vertex and its
-//            value.
+//            but warped chain is refused, a flat concave one is not. Every other flaw is refused with the vertex and
+//            its value.
 // ORACLE     closed form: flaws made by hand.
 // TOLERANCE  none: each flaw must be named.
 TEST(Polygon, RefusesWhatIsNoPolygon) {

@@ -83,8 +83,7 @@ Tally spawned(std::uint64_t seed, bool flat, Make make) {
 }
 
 // CLAIM      IU.5.4b, G8: a ray that leaves a surface from offset_origin() does not meet it again: every shape, random
-// frames,
-//            sizes 10⁻⁶ … 10⁶, offsets up to 10⁶, directions down to 10⁻¹⁶ over the tangent plane.
+//            frames, sizes 10⁻⁶ … 10⁶, offsets up to 10⁶, directions down to 10⁻¹⁶ over the tangent plane.
 // ORACLE     identity: a plane, or a convex body from outside, is not met again by a ray that leaves it.
 // TOLERANCE  none: 0 self-hits.
 TEST(Spawn, NoShapeShadowsItself) {
@@ -134,8 +133,7 @@ TEST(Spawn, NearbySurfacesAreNotLost) {
 }
 
 // CLAIM      G8: a fixed ε = 10⁻⁵ is less than one ulp at coordinates of 10⁶ in single precision, of 10¹² in double: it
-// moves
-//            nothing; offset_origin() still leaves the sphere.
+//            moves nothing; offset_origin() still leaves the sphere.
 // ORACLE     closed form: ulp(10¹²) = 1.2·10⁻⁴ > 10⁻⁵.
 // TOLERANCE  none.
 TEST(Spawn, FixedEpsilonIsBelowOneUlpFarAway) {

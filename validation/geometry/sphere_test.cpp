@@ -113,9 +113,8 @@ TEST(Sphere, KeepsItsUlpsFromInsideAndFromTheSurface) {
 }
 
 // CLAIM      IU.5-11, E14: the same where DoubleDouble runs out of digits: a sphere that touches the coordinates'
-// origin, rays
-//            from beside that point, where doubles are as fine as 2^-110 and c = λ − R² is as small, mostly along the
-//            surface.
+//            origin, rays from beside that point, where doubles are as fine as 2^-110 and c = λ − R² is as small,
+//            mostly along the surface.
 // ORACLE     exact, as above.
 // TOLERANCE  as above; both sides of the surface must occur.
 TEST(Sphere, KeepsItsUlpsWhereOnlyExactNumbersTell) {
@@ -230,9 +229,8 @@ TEST(Sphere, BehindTheOriginIsAMiss) {
 }
 
 // CLAIM      RT.19, RT.8: exercise 1, a ray from (1, 5, 4) along (1, −1, 0) is tangent to the sphere of centre (2, 2,
-// 4) and
-//            radius √2; exercise 2, a ray from (3, 2, −1) along (1, 2, 1) is tangent to the one of centre (5, 3, 1),
-//            radius √3.
+//            4) and radius √2; exercise 2, a ray from (3, 2, −1) along (1, 2, 1) is tangent to the one of centre (5, 3,
+//            1), radius √3.
 // ORACLE     closed form: by hand; (7p − q)(p + q) = 0 for directions (p, q, 0); (1, −1, 1) ⟂ (1, 2, 1) at t = 1.
 // TOLERANCE  one unit in the last place of the radius: the sphere just above the root is hit, the one below is not.
 TEST(Sphere, AnswersTheExercisesOfTheLecture) {

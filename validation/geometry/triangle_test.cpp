@@ -159,8 +159,7 @@ TEST(Triangle, SolvesTheEquationOfTheLecture) {
 }
 
 // CLAIM      RT.10, R5: inside, edge, corner, outside, parallel, in the plane, degenerate, behind; the printed rule
-// takes
-//            any real t, and so a hit at t = −1.
+//            takes any real t, and so a hit at t = −1.
 // ORACLE     closed form: small integers.
 // TOLERANCE  none.
 TEST(Triangle, NamesItsCases) {

@@ -58,7 +58,8 @@ TEST(ImageFile, KeepsFloatsAndMetadataInExr) {
 
 // CLAIM      A PNG holds the nearest of 256 levels of the sRGB curve; values outside [0, 1] take the nearest end.
 // ORACLE     closed form: IEC 61966-2-1 in long double; what is read back is decoded by it and compared with what was
-// given. TOLERANCE  half a level, and 1e-9 of one for the float in which the level is handed back.
+//            given.
+// TOLERANCE  half a level, and 1e-9 of one for the float in which the level is handed back.
 TEST(ImageFile, RoundsPngToTheNearestSrgbLevel) {
   proves({}, Oracle::closed_form, "the sRGB curve in long double");
   const auto encode = [](long double v) {

@@ -116,8 +116,9 @@ std::string message_of(const std::filesystem::path& path) {
 }
 
 // CLAIM      Each error of a scene file is reported with file, line, column, JSON pointer, what was found and what is
-// expected. ORACLE     exact: errors planted at known bytes of a sound scene; the place is counted here by splitting
-// the text. TOLERANCE  none: the message is known to the letter.
+//            expected.
+// ORACLE     exact: errors planted at known bytes of a sound scene; the place is counted here by splitting the text.
+// TOLERANCE  none: the message is known to the letter.
 TEST(SceneErrors, NameTheExactPlaceOfAPlantedError) {
   proves({}, Oracle::exact, "errors planted at known bytes");
   const TemporaryFolder folder;
@@ -229,7 +230,9 @@ TEST(SceneErrors, StopAtTheFirstSyntaxError) {
 }
 
 // CLAIM      Errors in included files name the included file; missing files and cycles are errors at the "include"
-// itself. ORACLE     exact: small files made for it. TOLERANCE  none.
+//            itself.
+// ORACLE     exact: small files made for it.
+// TOLERANCE  none.
 TEST(SceneErrors, NameTheIncludedFile) {
   proves({}, Oracle::exact, "small files with known errors");
   const TemporaryFolder folder;

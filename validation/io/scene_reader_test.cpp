@@ -257,7 +257,8 @@ TEST(SceneReader, AcceptsEveryShippedScene) {
 
 // CLAIM      Whatever the bytes, the reader gives a scene or errors with their places; it never crashes or throws.
 // ORACLE     identity: the form of a message, and lines that exist, on 3000 mutations of the example and of random
-// bytes. TOLERANCE  none.
+//            bytes.
+// TOLERANCE  none.
 TEST(SceneReader, SurvivesMutatedFiles) {
   proves({}, Oracle::identity, "the form of a located message");
   const TemporaryFolder folder;

@@ -21,8 +21,10 @@ bool well_formed_by_another(const std::string& text) {
 }
 
 // CLAIM      first_invalid_utf8 accepts exactly well-formed UTF-8: no overlong forms, surrogates or values beyond
-// U+10FFFF. ORACLE     another program: nlohmann::json's strict writer, on all sequences of four of the bytes at which
-// rules change. TOLERANCE  none.
+//            U+10FFFF.
+// ORACLE     another program: nlohmann::json's strict writer, on all sequences of four of the bytes at which rules
+//            change.
+// TOLERANCE  none.
 TEST(Utf8, AcceptsExactlyWhatIsWellFormed) {
   proves({}, Oracle::program, "nlohmann::json's strict writer");
   constexpr std::array<unsigned char, 18> kBytes{0x41, 0x7F, 0x80, 0x8F, 0x90, 0x9F, 0xA0, 0xBF, 0xC1,

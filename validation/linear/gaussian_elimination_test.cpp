@@ -87,8 +87,7 @@ ExactBackwardError exact_backward_error(const Eigen::MatrixXd& matrix, const Eig
 }
 
 // CLAIM      IU.6-9: over the rationals Gaussian elimination returns the solution itself, for the Hilbert matrix of
-// order
-//            12 (condition 1e16), graded and random ones, and where the first pivots are zero.
+//            order 12 (condition 1e16), graded and random ones, and where the first pivots are zero.
 // ORACLE     identity: A x = b, multiplied out in exact rationals.
 // TOLERANCE  none: every component of A x equals that of b.
 TEST(GaussianElimination, SolvesExactlyOverTheRationals) {
@@ -151,8 +150,7 @@ TEST(GaussianElimination, PivotingKeepsGradedSystemsStable) {
 }
 
 // CLAIM      IU.6-9: a singular matrix is refused and the column that depends on the others is named, by both solvers
-// in
-//            double and over the rationals, where rounding cannot hide it.
+//            in double and over the rationals, where rounding cannot hide it.
 // ORACLE     identity: column 2 is the sum of columns 0 and 1.
 // TOLERANCE  none: refusals and their words.
 TEST(GaussianElimination, RefusesSingularMatricesNamingTheColumn) {

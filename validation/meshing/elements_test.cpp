@@ -12,8 +12,8 @@ namespace etendue::validation {
 namespace {
 
 // CLAIM      IU.6.7.1 (patches and elements): a quadrilateral of 6 × 4 elements in 3 × 2 patches has 24 elements of
-// equal
-//            area in 6 patches of four neighbours each; corners are shared to the last bit, so the areas leave no gap.
+//            equal area in 6 patches of four neighbours each; corners are shared to the last bit, so the areas leave no
+//            gap.
 // ORACLE     closed form: counts, areas and centroids of a rectangle's grid, in dyadic coordinates.
 // TOLERANCE  none: every number is exact in double.
 TEST(Elements, DivideAQuadrilateralIntoElementsAndPatches) {

@@ -111,9 +111,9 @@ TEST(Reflect, DoesNotDriftAlongAPath) {
   }
 }
 
-// CLAIM      RT.19 (third exercise), R9: (3,2,1) is reflected at the normal (0, √2/2, −√2/2) into (3,1,2), though δ·s
-//            > 0. ORACLE exact: the projector s sᵀ is ½ (0,1,−1)(0,1,−1)ᵀ, rational, so the answer is found in
-//            integers.
+// CLAIM      RT.19 (third exercise), R9: (3,2,1) is reflected at the normal (0, √2/2, −√2/2) into (3,1,2), though
+//            δ·s > 0.
+// ORACLE     exact: the projector s sᵀ is ½ (0,1,−1)(0,1,−1)ᵀ, rational, so the answer is found in integers.
 // TOLERANCE  reflection_error() and the rounding of the input, times the length √14.
 TEST(Reflect, SolvesTheThirdExercise) {
   proves({"RT.19", "R9"}, Oracle::exact, "the projector in integers");
@@ -141,7 +141,9 @@ TEST(Reflect, ShowsThePrintedProjectionToBeThatOfTheOppositeVector) {
 }
 
 // CLAIM      R4: without |s| = 1 the printed form is no reflection: s = (0,0,2) turns (1,0,−1) into (1,0,7). The code
-//            refuses. ORACLE exact: small integers. TOLERANCE none.
+//            refuses.
+// ORACLE     exact: small integers.
+// TOLERANCE  none.
 TEST(Reflect, RefusesVectorsThatAreNotUnit) {
   proves({"R4"}, Oracle::exact, "the printed form in integers");
   const Vec3 slanted(1, 0, -1), doubled(0, 0, 2);

@@ -182,8 +182,9 @@ TEST(RefractAccuracy, KeepsItsBoundsOneUlpFromTheCriticalAngle) {
 }
 
 // CLAIM      IU.5-7: at the critical angle itself the cosine is zero, within its bound; this is the hardest case of
-//            all. ORACLE rational frames, in which the exact radicand is zero (asserted). TOLERANCE
-//            refraction_error(), refraction_cosine_error(); nullopt is the other right answer.
+//            all.
+// ORACLE     rational frames, in which the exact radicand is zero (asserted).
+// TOLERANCE  refraction_error(), refraction_cosine_error(); nullopt is the other right answer.
 TEST(RefractAccuracy, GivesTheTangentAtTheCriticalAngle) {
   proves({"IU.5-7", "IU.5.3tir"}, Oracle::exact, "exactly critical directions in rational frames");
   Family tangents;

@@ -22,8 +22,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
 constexpr double kAngleRounding = 8 * u;
 
 // CLAIM      IU.4-6, IU.5-6: η1 sin θ = η2 sin θ', the refracted ray stays in the plane of incidence and on the far
-//            side. ORACLE identity: the tangential part of δ, scaled by η, is the tangential part of T, in random
-//            frames.
+//            side.
+// ORACLE     identity: the tangential part of δ, scaled by η, is the tangential part of T, in random frames.
 // TOLERANCE  refraction_error(eta) for T; 5 u (1 + eta) for the two cross products of unit vectors.
 TEST(Snell, KeepsTheScaledTangentialPart) {
   proves({"IU.4-6", "IU.5-6"}, Oracle::identity, "η δ × s = T × s");

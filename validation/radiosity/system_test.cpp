@@ -139,8 +139,7 @@ TEST(RadiositySystem, SolvesTheThreePatchesWrittenByHand) {
 }
 
 // CLAIM      IU.6-1: in the energy form A_i B_i = A_i E_i + ρ_i Σ_j B_j F_ji A_j the power [W] that leaves every patch
-// is
-//            what it emits and reflects; with reciprocal factors that is the system 6-7. All that is emitted is
+//            is what it emits and reflects; with reciprocal factors that is the system 6-7. All that is emitted is
 //            absorbed or escapes.
 // ORACLE     identity: the energy form itself, and power in = power out.
 // TOLERANCE  A_i (bound + the reciprocity defect of the data), summed over the patches for the balance.

@@ -73,8 +73,7 @@ TEST(Scan, AgreesWithExactPointInTriangle) {
 }
 
 // CLAIM      Top-left rule: triangles that share edges around a common corner cover each centre inside their union
-// once,
-//            those on shared edges and on the common corner too.
+//            once, those on shared edges and on the common corner too.
 // ORACLE     exact arithmetic: a fan around a point inside a convex hull covers the hull's interior.
 // TOLERANCE  none: every centre is covered once, not less, not twice.
 TEST(Scan, CoversSharedEdgesExactlyOnce) {

@@ -94,8 +94,9 @@ TEST(CameraRays, AreThoseOfTheViewingSystem) {
 }
 
 // CLAIM      RT.1: u_s = l + (r−l)(i+½)/n_x, v_s = b + (t−b)(j+½)/n_y, n_s = ν names the same ray as IU.5.2, for every
-// ν. ORACLE     metamorphic: two formulas for one ray, over random cameras and distances of the view plane. TOLERANCE
-// kSameRayError, derived above.
+//            ν.
+// ORACLE     metamorphic: two formulas for one ray, over random cameras and distances of the view plane.
+// TOLERANCE  kSameRayError, derived above.
 TEST(CameraRays, AreTheSameThroughAWindow) {
   proves({"RT.1", "IU.5.2"}, Oracle::metamorphic, "the viewing system of [IU] against the window of [RT]");
   std::mt19937_64 random(1);

@@ -51,8 +51,7 @@ const std::array<Expected, 8> kFigure36{{
 }};
 
 // CLAIM      IU.f32, IU.f36: the four surfaces give the rays R, R1, T1, R2, T2, R3, T3, R4 in the figure's shape; T1,
-// R2,
-//            R3, R4 leave; S4 is opaque and transmits nothing; the tree can be printed and drawn.
+//            R2, R3, R4 leave; S4 is opaque and transmits nothing; the tree can be printed and drawn.
 // ORACLE     table: the figure, ray by ray.
 // TOLERANCE  none for the shape; two roundings for the weights.
 TEST(RayTree, IsThatOfFourSurfaces) {
@@ -133,8 +132,7 @@ TEST(RayTree, EndsAtTheGreatestDepth) {
 }
 
 // CLAIM      E12: T3 is weakened by k_t3 k_t2 k_r1, for it descends from R1; with k_t1 in place of k_r1, as printed
-// (one
-//            letter for all three), it would count 0.2 instead of 0.025 and be followed by the adaptive limit.
+//            (one letter for all three), it would count 0.2 instead of 0.025 and be followed by the adaptive limit.
 // ORACLE     closed form: both products.
 // TOLERANCE  two roundings of the product; none for what is followed.
 TEST(RayTree, WeighsARayByTheProductAlongItsPath) {
@@ -161,8 +159,8 @@ TEST(RayTree, WeighsARayByTheProductAlongItsPath) {
 }
 
 // CLAIM      IU.5.3tir in the tree: under total internal reflection nothing is transmitted and the reflected ray
-// carries
-//            k_r + k_t; the ray that meets the flat side of glass from inside below the critical angle does leave.
+//            carries k_r + k_t; the ray that meets the flat side of glass from inside below the critical angle does
+//            leave.
 // ORACLE     closed form: Snell, sin 45° · 1.5 > 1 and sin 30° · 1.5 = 0.75.
 // TOLERANCE  none for the shape; u for the coefficient.
 TEST(RayTree, ReflectsTotallyInsideGlass) {

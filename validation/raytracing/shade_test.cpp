@@ -24,8 +24,7 @@ DirectionalLight light_from(double angle_deg) {
 }
 
 // CLAIM      E2: k_d tints the diffuse term only. A black, glossy surface that mirrors the light to the eye shows 0.9;
-// as
-//            printed, with k_d before the whole sum, it would show nothing.
+//            as printed, with k_d before the whole sum, it would show nothing.
 // ORACLE     closed form: L = V = N, so N·L = R·V = 1.
 // TOLERANCE  50 times the error of R·V (30 u), for the power of 50.
 TEST(Shade, LeavesTheHighlightUntinted) {
@@ -42,8 +41,7 @@ TEST(Shade, LeavesTheHighlightUntinted) {
 }
 
 // CLAIM      E3: R is the mirror of each light's own direction. With the light at 89° and the eye on the normal, R_i·V
-// is
-//            cos 89°, and the highlight is 1e-88; the mirror of V, the only R without index, would give 1.
+//            is cos 89°, and the highlight is 1e-88; the mirror of V, the only R without index, would give 1.
 // ORACLE     closed form: cos(89°)^50.
 // TOLERANCE  relative: 50 times the error of R·V, 30 u, over cos 89°.
 TEST(Shade, MirrorsEachLight) {
@@ -104,8 +102,7 @@ TEST(Shade, TurnsTheNormalToTheViewer) {
 }
 
 // CLAIM      IU.5.4a: only a hit nearer than the light blocks; each light has its own shadow ray; a blocked light adds
-// nothing,
-//            the others and the ambient light stay.
+//            nothing, the others and the ambient light stay.
 // ORACLE     closed form: a disc before the light, behind the light, and before one light of two.
 // TOLERANCE  eight roundings.
 TEST(Shade, IsInShadowOnlyOfWhatStandsBeforeTheLight) {

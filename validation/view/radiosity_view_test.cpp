@@ -24,13 +24,11 @@ std::optional<Vec3> seen_point(const Camera& camera, double column, double row) 
 }
 
 // CLAIM      IU.6.5v, IU.6.5: one solution serves any view: whatever the camera, a pixel shows the radiosity at the
-// point
-//            that its centre's ray meets; Gouraud interpolation on the surface reproduces a linear field.
+//            point that its centre's ray meets; Gouraud interpolation on the surface reproduces a linear field.
 // ORACLE     closed form: the field at the intersection of the ray of IU.5.2 with the floor.
 // TOLERANCE  corners are snapped to 1/4096 pixel: the shown point moves by at most 1/4096 of a pixel's footprint (taken
-// to
-//            the neighbouring pixels, doubled), times the field's gradient 2; plus 1e-12 for rounding of values
-//            near 50.
+//            to the neighbouring pixels, doubled), times the field's gradient 2; plus 1e-12 for rounding of values near
+//            50.
 TEST(RadiosityView, ShowsTheSameValueFromEveryCamera) {
   proves({"IU.6.5v", "IU.6.5", "IU.5.2"}, Oracle::closed_form,
          "a linear field at the ray's intersection with the floor");
@@ -80,8 +78,7 @@ TEST(RadiosityView, ShowsTheSameValueFromEveryCamera) {
 }
 
 // CLAIM      The nearer surface hides the farther one whatever the order of drawing; surfaces show their front only;
-// what
-//            lies behind the eye is cut away.
+//            what lies behind the eye is cut away.
 // ORACLE     known render: a small square before a large one, seen along their normals.
 // TOLERANCE  none: pixels well inside or outside the small square's projection.
 TEST(RadiosityView, HidesWhatIsBehindAndTurnedAway) {
@@ -123,8 +120,7 @@ TEST(RadiosityView, HidesWhatIsBehindAndTurnedAway) {
 }
 
 // CLAIM      A camera that stands in the room, before and behind its walls, sees a wall in every pixel: the near plane
-// cuts
-//            no hole, shared edges leave no gap.
+//            cuts no hole, shared edges leave no gap.
 // ORACLE     known render: a closed room of uniform radiosity is uniform.
 // TOLERANCE  8 roundings of one: the interpolation's weights.
 TEST(RadiosityView, LeavesNoGapInAClosedRoom) {

@@ -55,8 +55,7 @@ TEST(VertexRadiosity, FollowsTheThreeRulesOfTheText) {
 }
 
 // CLAIM      IU.6.5: a radiosity that is linear over the plane comes out exactly at every vertex, also at the corners
-// of a
-//            hole, across objects of one material, and on a skew grid in general position.
+//            of a hole, across objects of one material, and on a skew grid in general position.
 // ORACLE     identity: each rule is an affine combination whose points combine to the vertex.
 // TOLERANCE  32 roundings of values below 64.
 TEST(VertexRadiosity, ReproducesLinearFields) {
@@ -96,8 +95,7 @@ TEST(VertexRadiosity, ReproducesLinearFields) {
 }
 
 // CLAIM      IU.6.5, figure 58b: a mesh without inner vertices gets the mean of the elements around each vertex, which
-// is
-//            continuous; so do single elements.
+//            is continuous; so do single elements.
 // ORACLE     closed form: a strip of three, by hand.
 // TOLERANCE  none: small integers.
 TEST(VertexRadiosity, TreatsMeshesWithoutInnerVertices) {
@@ -113,8 +111,7 @@ TEST(VertexRadiosity, TreatsMeshesWithoutInnerVertices) {
 }
 
 // CLAIM      Vertices are shared within a plane and a material only: not around an edge of a box, nor between
-// neighbours of
-//            another colour. Covered elements take part in no mean.
+//            neighbours of another colour. Covered elements take part in no mean.
 // ORACLE     closed form: counts, and the values of separate surfaces.
 // TOLERANCE  none: small integers.
 TEST(VertexRadiosity, KeepsPlanesAndMaterialsApart) {

@@ -12,7 +12,8 @@ namespace etendue {
 namespace {
 
 std::size_t thread_count(std::size_t count, int wanted) {
-  const std::size_t cores = wanted > 0 ? static_cast<std::size_t>(wanted) : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t cores =
+      wanted > 0 ? static_cast<std::size_t>(wanted) : std::max(1u, std::thread::hardware_concurrency());
   return std::clamp<std::size_t>(cores, 1, std::max<std::size_t>(count, 1));
 }
 

@@ -9,9 +9,12 @@ namespace etendue {
 
 /// How a long computation runs: on how many threads, whom it tells, and who may stop it. Never changes a result's bits.
 struct Execution {
-  int threads = 0;                                                   ///< 0: all cores
-  std::function<void(std::size_t done, std::size_t total)> progress; ///< called from one thread at a time; may be empty
-  const std::atomic<bool>* stop = nullptr;                           ///< when it turns true, no further item is begun
+  /// 0: all cores
+  int threads = 0;
+  /// Called from one thread at a time; may be empty.
+  std::function<void(std::size_t done, std::size_t total)> progress;
+  /// When it turns true, no further item is begun; may be null.
+  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Calls body(i) once for each i in [0, count), in any order, on execution.threads threads, and tells whether all were

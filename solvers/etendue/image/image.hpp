@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 namespace etendue {
 
@@ -15,7 +14,8 @@ struct Image {
 
   Image() = default;
   Image(int columns_, int rows_)
-      : columns(columns_), rows(rows_),
+      : columns(columns_),
+        rows(rows_),
         pixels(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Eigen::Array3d::Zero()) {}
 
   Eigen::Array3d& at(int column, int row) { return pixels[index(column, row)]; }

@@ -33,15 +33,15 @@ struct Camera {
 /// Everything either solver wants to know of a surface. Coefficients are fractions in [0, 1].
 struct Material {
   std::string name;
-  Rgb k_d = Rgb::Zero();            ///< diffuse reflection, per channel
-  Rgb k_a = Rgb::Zero();            ///< reflection of the ambient light; the reader sets it to k_d unless it is given
-  double k_s = 0;                   ///< local specular reflection (Phong), not coloured
-  double phong_exponent = 1;        ///< n
-  double k_r = 0;                   ///< global specular reflection
-  double k_t = 0;                   ///< global specular transmission
-  double eta = 1;                   ///< refractive index of the inside
-  Rgb rho = Rgb::Zero();            ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
-  Rgb emission = Rgb::Zero();       ///< E: radiant exitance of the emitter [W/m²]
+  Rgb k_d = Rgb::Zero();       ///< diffuse reflection, per channel
+  Rgb k_a = Rgb::Zero();       ///< reflection of the ambient light; the reader sets it to k_d unless it is given
+  double k_s = 0;              ///< local specular reflection (Phong), not coloured
+  double phong_exponent = 1;   ///< n
+  double k_r = 0;              ///< global specular reflection
+  double k_t = 0;              ///< global specular transmission
+  double eta = 1;              ///< refractive index of the inside
+  Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
+  Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
 };
 
 /// Local lights of ray tracing. Area lights are surfaces with emission.

@@ -26,8 +26,8 @@ struct VertexRadiosities {
 ///
 ///     inner vertex   B_e = mean of the elements around it
 ///     others         B_v = 2 mean(elements that touch both v and e) − B_e, e the nearest inner vertex that shares an
-///                    element with v; the mean over equally near ones. On a grid: edge B_1 + B_2 − B_e, corner 2B_1 −
-///                    B_e
+///                    element with v; the mean over equally near ones. On a grid: edge B_1 + B_2 − B_e,
+///                    corner 2B_1 − B_e
 ///     no such e      B_v = mean of the elements around v
 ///
 /// Elements of one plane and one material share the vertices that lie within kTouching of each other. A vertex is inner
