@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// A computed number and a bound on its absolute error: |value − truth| ≤ bound.

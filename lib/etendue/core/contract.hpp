@@ -3,10 +3,7 @@
 
 #include <stdexcept>
 
-// Every bound of this library assumes IEEE-754 arithmetic, operation by operation.
-#ifdef __FAST_MATH__
-#error "etendue: -ffast-math breaks the proved error bounds; build without it"
-#endif
+#include "etendue/core/floating_point.hpp"
 
 namespace etendue {
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// An unevaluated sum high + low with |low| ≤ u |high|: about 106 bits.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// Unit roundoff u of double: a correctly rounded operation errs by at most u, relatively.

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// One node of a quadrature rule on [−1, 1].

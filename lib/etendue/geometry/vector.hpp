@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// Vectors are Eigen's. Points and directions share the type; names tell which is meant.

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "etendue/core/floating_point.hpp"
+
 // What progressive radiosity adds for display while light is still unshot. Contract of all functions: vectors have one
 // entry a patch, at least one; areas are positive, reflectances in [0, 1].
 namespace etendue {

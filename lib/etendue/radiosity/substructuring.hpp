@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 // Patches shoot, elements receive: elements refine the answer without enlarging the system.          @eq IU.6.7.1
 namespace etendue {
 

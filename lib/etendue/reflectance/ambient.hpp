@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// Light that a surface returns of the general illumination, the same everywhere and in every direction.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// Weakening of a light with distance, as shading models use it: a straight line in the denominator.

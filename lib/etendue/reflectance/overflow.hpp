@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 // Three ways to bring intensities back to what a display can show, [0, 1]. Each leaves alone what already fits.

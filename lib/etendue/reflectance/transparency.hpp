@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// How clear an object is where the view grazes it and where it meets it head-on: 0 opaque, 1 perfectly clear.
