@@ -57,12 +57,21 @@ std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
     if (!vertices[i].allFinite()) {
       return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is not finite");
     }
+    if (vertices[i].lpNorm<Eigen::Infinity>() > kGreatestCoordinate) {
+      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) +
+                     " lies beyond 2^200 = " + text(kGreatestCoordinate) + "; the area could overflow");
+    }
   }
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
     if (vertices[i] == vertices[j]) {
       return refusal("vertices " + std::to_string(i) + " and " + std::to_string(j) + " coincide at " +
                      text(vertices[i]));
+    }
+    const double edge = (vertices[j] - vertices[i]).lpNorm<Eigen::Infinity>();
+    if (edge < kLeastEdge) {
+      return refusal("edge " + std::to_string(i) + "-" + std::to_string(j) + " at " + text(vertices[i]) + " is " +
+                     text(edge) + " long, less than 2^-200 = " + text(kLeastEdge) + "; the area would lose digits");
     }
   }
   return std::nullopt;
@@ -129,7 +138,6 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   const Vec3 twice_area(rounded(sum.x), rounded(sum.y), rounded(sum.z));
   Polygon polygon;
   polygon.area_ = twice_area.norm() / 2;
-  if (!std::isfinite(polygon.area_)) return refusal("its area overflows: coordinates reach " + text(extent.coordinate));
   if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
     return refusal("area " + text(polygon.area_) + " is zero: it is narrower than the rounding of its coordinates (" +
                    text(extent.coordinate) + ")");
