@@ -6,7 +6,8 @@
 
 namespace etendue {
 
-/// Bound on the absolute error of lambert(): three roundings of products that sum to at most one, NOTES.md §1.
+/// Bound on the absolute error of lambert(): three roundings of products that sum to at most
+/// one, optics/NOTES.md §1.
 constexpr double lambert_error() {
   return 3.1 * kUnitRoundoff;
 }
