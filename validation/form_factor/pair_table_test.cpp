@@ -53,20 +53,23 @@ double rounded(double value) {
   return 0x1p-53 * value;
 }
 
+void expect_bounds_kept(double asked) {
+  constexpr std::size_t kRows = 128;
+  ASSERT_EQ(table().size(), kRows) << "reference/pair_form_factor.csv is missing or cut short";
+  for (const Row& row : table()) {
+    const Bounded f = form_factor(polygon(row.from), polygon(row.to), {asked, 0});
+    EXPECT_TRUE(near(f.value, row.factor, f.bound + rounded(row.factor))) << row.family;
+    EXPECT_TRUE(within(f.bound, asked * row.factor)) << row.family;
+  }
+}
+
 // CLAIM      IU.6-3: form_factor keeps its bound for polygons in general position: apart, touching along an edge or in
 //            a vertex, piercing, concave, unequal, narrow, near (gap 1e-6), far (10 to 1e6), scaled and moved by 1e6.
 // ORACLE     reference/pair_form_factor.csv: the contour at 600 bits (reference/pair_form_factor_table.cpp).
 // TOLERANCE  the returned bound, itself below the 1e-9 of the value that was asked.
 TEST(FormFactor, KeepsItsBoundInGeneralPosition) {
   proves({"IU.6-3"}, Oracle::table, "128 pairs in 15 families, tanh-sinh contour at 600 bits");
-  constexpr std::size_t kRows = 128;
-  constexpr double kAsked = 1e-9;
-  ASSERT_EQ(table().size(), kRows) << "reference/pair_form_factor.csv is missing or cut short";
-  for (const Row& row : table()) {
-    const Bounded f = form_factor(polygon(row.from), polygon(row.to), {kAsked, 0});
-    EXPECT_TRUE(near(f.value, row.factor, f.bound + rounded(row.factor))) << row.family;
-    EXPECT_TRUE(within(f.bound, kAsked * row.factor)) << row.family;
-  }
+  expect_bounds_kept(1e-9);
 }
 
 // CLAIM      IU.6-3: at 1e-5 the truncation is what the bound has to hold, and it holds.
@@ -74,12 +77,7 @@ TEST(FormFactor, KeepsItsBoundInGeneralPosition) {
 // TOLERANCE  the returned bound, itself below the 1e-5 of the value that was asked.
 TEST(FormFactor, KeepsItsBoundWhenLittleIsAsked) {
   proves({"IU.6-3"}, Oracle::table, "128 pairs in 15 families, tanh-sinh contour at 600 bits");
-  constexpr double kAsked = 1e-5;
-  for (const Row& row : table()) {
-    const Bounded f = form_factor(polygon(row.from), polygon(row.to), {kAsked, 0});
-    EXPECT_TRUE(near(f.value, row.factor, f.bound + rounded(row.factor))) << row.family;
-    EXPECT_TRUE(within(f.bound, kAsked * row.factor)) << row.family;
-  }
+  expect_bounds_kept(1e-5);
 }
 
 // CLAIM      IU.6-5: A_1 F_12 = A_2 F_21 for polygons in general position.

@@ -47,29 +47,41 @@ Case plane_case(Family family, Random& random) {
   return result;
 }
 
+// Holds decisions over each family; decide() judges one case of a family and says what the exact sign is. The
+// degenerate family must consist of zeros only, the nudged one mostly of others.
+struct Decision {
+  int ours, exact;
+};
+template <class Decide>
+void expect_exact(std::uint64_t seed, const Decide& decide) {
+  Random random(seed);
+  for (const Family family : {Family::general, Family::degenerate, Family::nudged}) {
+    std::uint64_t mismatches = 0, zeros = 0;
+    constexpr std::uint64_t kCases = 20'000;
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      const Decision decision = decide(family, random);
+      mismatches += decision.ours != decision.exact;
+      zeros += decision.exact == 0;
+    }
+    EXPECT_TRUE(all_agree(mismatches, kCases));
+    if (family == Family::degenerate) {
+      EXPECT_EQ(zeros, kCases);
+    }
+    if (family == Family::nudged) {
+      EXPECT_LT(zeros, kCases / 2);
+    }
+  }
+}
+
 // CLAIM      IU.5-12: side() is exact for random planes, points on the plane, and points 2^-45 off it, in skew frames.
 // ORACLE     exact: CGAL's rational kernel; the degenerate family is asserted to lie on the plane.
 // TOLERANCE  none: no decision may differ.
 TEST(Predicates, SideOfAPlaneIsExact) {
   proves({"IU.5-12"}, Oracle::exact, "CGAL Plane_3::oriented_side over rationals");
-  Random random(301);
-  for (const Family family : {Family::general, Family::degenerate, Family::nudged}) {
-    std::uint64_t mismatches = 0, on_plane = 0;
-    constexpr std::uint64_t kCases = 20'000;
-    for (std::uint64_t i = 0; i < kCases; ++i) {
-      const Case c = plane_case(family, random);
-      const int truth = oracle::side_of_plane(exact(c.point), exact(c.plane.point), exact(c.plane.normal));
-      mismatches += side(c.point, c.plane) != truth;
-      on_plane += truth == 0;
-    }
-    EXPECT_TRUE(all_agree(mismatches, kCases));
-    if (family == Family::degenerate) {
-      EXPECT_EQ(on_plane, kCases);
-    }
-    if (family == Family::nudged) {
-      EXPECT_LT(on_plane, kCases / 2);
-    }
-  }
+  expect_exact(301, [](Family family, Random& random) -> Decision {
+    const Case c = plane_case(family, random);
+    return {side(c.point, c.plane), oracle::side_of_plane(exact(c.point), exact(c.plane.point), exact(c.plane.normal))};
+  });
 }
 
 // CLAIM      IU.5.6.2: orientation() is exact for random, collinear and almost collinear points.
@@ -77,31 +89,17 @@ TEST(Predicates, SideOfAPlaneIsExact) {
 // TOLERANCE  none.
 TEST(Predicates, OrientationIsExact) {
   proves({"IU.5.6.2"}, Oracle::exact, "CGAL orientation over rationals");
-  Random random(302);
-  for (const Family family : {Family::general, Family::degenerate, Family::nudged}) {
-    std::uint64_t mismatches = 0, collinear = 0;
-    constexpr std::uint64_t kCases = 20'000;
-    for (std::uint64_t i = 0; i < kCases; ++i) {
-      Vec2 a = random.in_cube(10).head<2>(), b = random.in_cube(10).head<2>(), c = random.in_cube(10).head<2>();
-      if (family != Family::general) {
-        const Vec2 step = random.dyadic(9, 3).head<2>();
-        a = random.dyadic(9, 3).head<2>();
-        b = a + std::round(random.uniform(-99, 99)) * step;
-        c = a + std::round(random.uniform(-99, 99)) * step;
-      }
-      if (family == Family::nudged) c.x() += nudge(random);
-      const int truth = oracle::turn(exact(a), exact(b), exact(c));
-      mismatches += orientation(a, b, c) != truth;
-      collinear += truth == 0;
+  expect_exact(302, [](Family family, Random& random) -> Decision {
+    Vec2 a = random.in_cube(10).head<2>(), b = random.in_cube(10).head<2>(), c = random.in_cube(10).head<2>();
+    if (family != Family::general) {
+      const Vec2 step = random.dyadic(9, 3).head<2>();
+      a = random.dyadic(9, 3).head<2>();
+      b = a + std::round(random.uniform(-99, 99)) * step;
+      c = a + std::round(random.uniform(-99, 99)) * step;
     }
-    EXPECT_TRUE(all_agree(mismatches, kCases));
-    if (family == Family::degenerate) {
-      EXPECT_EQ(collinear, kCases);
-    }
-    if (family == Family::nudged) {
-      EXPECT_LT(collinear, kCases / 2);
-    }
-  }
+    if (family == Family::nudged) c.x() += nudge(random);
+    return {orientation(a, b, c), oracle::turn(exact(a), exact(b), exact(c))};
+  });
 }
 
 }  // namespace

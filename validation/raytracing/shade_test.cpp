@@ -23,18 +23,24 @@ DirectionalLight light_from(double angle_deg) {
   return {{std::sin(angle_deg * kDegree), 0, std::cos(angle_deg * kDegree)}, Rgb::Ones()};
 }
 
+// A black floor with a highlight of exponent 50, and one light.
+Scene glossy_floor(double k_s, double light_angle_deg) {
+  Material glossy;
+  glossy.k_s = k_s;
+  glossy.phong_exponent = 50;
+  Scene scene;
+  add(scene, Plane{{0, 0, 0}, {0, 0, 1}}, glossy);
+  scene.lights = {light_from(light_angle_deg)};
+  return scene;
+}
+
 // CLAIM      E2: k_d tints the diffuse term only. A black, glossy surface that mirrors the light to the eye shows 0.9;
 //            as printed, with k_d before the whole sum, it would show nothing.
 // ORACLE     closed form: L = V = N, so N·L = R·V = 1.
 // TOLERANCE  50 times the error of R·V (30 u), for the power of 50.
 TEST(Shade, LeavesTheHighlightUntinted) {
   proves({"E2", "IU.5-2"}, Oracle::closed_form, "both forms at normal incidence");
-  Material glossy;
-  glossy.k_s = 0.9;
-  glossy.phong_exponent = 50;
-  Scene scene;
-  add(scene, Plane{{0, 0, 0}, {0, 0, 1}}, glossy);
-  scene.lights = {light_from(0)};
+  const Scene scene = glossy_floor(0.9, 0);
   const double k_d = 0, printed = k_d * (1 + 0.9);
   EXPECT_EQ(printed, 0);
   EXPECT_TRUE(near(colour_along({{0, 0, 5}, {0, 0, -1}}, scene)[0], 0.9, 50 * 30 * kUnitRoundoff));
@@ -46,12 +52,7 @@ TEST(Shade, LeavesTheHighlightUntinted) {
 // TOLERANCE  relative: 50 times the error of R·V, 30 u, over cos 89°.
 TEST(Shade, MirrorsEachLight) {
   proves({"E3", "IU.5-2"}, Oracle::closed_form, "cos(89°)^50 against 1");
-  Material glossy;
-  glossy.k_s = 1;
-  glossy.phong_exponent = 50;
-  Scene scene;
-  add(scene, Plane{{0, 0, 0}, {0, 0, 1}}, glossy);
-  scene.lights = {light_from(89)};
+  const Scene scene = glossy_floor(1, 89);
   const double cosine = std::cos(89 * kDegree), expected = std::pow(cosine, 50);
   EXPECT_LT(expected, 1.3e-88);
   const double printed = std::pow(Vec3(0, 0, 1).dot(Vec3(0, 0, 1)), 50);  // R of V = N is N

@@ -7,18 +7,14 @@
 #include "etendue/reflectance/overflow.hpp"
 #include "etendue/reflectance/transparency.hpp"
 #include "optics/incidence.hpp"
+#include "reflectance/colour.hpp"
 #include "support/evidence.hpp"
 
 // What happens to intensities before they are shown: three treatments of overflow, and seeing through clear objects.
 namespace etendue::validation {
 namespace {
 
-using Rgb = Eigen::Array3d;
 constexpr double u = kUnitRoundoff;
-
-double difference(const Rgb& a, const Rgb& b) {
-  return (a - b).abs().maxCoeff();
-}
 
 Rgb draw(Directions& random, double greatest) {
   const double red = random.uniform(0, greatest), green = random.uniform(0, greatest);

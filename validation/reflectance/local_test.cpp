@@ -9,17 +9,13 @@
 #include "etendue/reflectance/attenuation.hpp"
 #include "etendue/reflectance/phong.hpp"
 #include "optics/incidence.hpp"
+#include "reflectance/colour.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
 namespace {
 
-using Rgb = Eigen::Array3d;
 constexpr double u = kUnitRoundoff;
-
-double difference(const Rgb& a, const Rgb& b) {
-  return (a - b).abs().maxCoeff();
-}
 
 // Dyadic angles: L and V in a plane with N, cosines 3/5 and 4/5 up to one rounding.
 const Vec3 kNormal(0, 0, 1), kLight(-0.6, 0, 0.8), kMirrored(0.6, 0, 0.8);
