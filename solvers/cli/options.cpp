@@ -9,6 +9,7 @@
 
 #include "etendue/core/result.hpp"
 #include "etendue/io/nearest.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue::cli {
 
@@ -63,7 +64,7 @@ void Options::flag(std::string name, std::string help, bool& target) {
        }});
 }
 
-void Options::text(std::string name, std::string value, std::string help, std::string& target) {
+void Options::text(std::string name, std::string value, std::string help, std::optional<std::string>& target) {
   add({std::move(name), std::move(value), std::move(help), [&target](const std::string& text) {
          target = text;
          return std::optional<std::string>();
@@ -193,7 +194,7 @@ std::optional<std::string> Options::read(const std::vector<std::string>& argumen
 }
 
 int Options::usage_error(std::ostream& err, const std::string& message) const {
-  err << "etendue " << command_ << ": " << message << "\nTry 'etendue " << command_ << " --help'.\n";
+  err << "etendue " << command_ << ": " << printable(message) << "\nTry 'etendue " << command_ << " --help'.\n";
   return static_cast<int>(ErrorCode::usage);
 }
 

@@ -25,7 +25,7 @@ class Options {
 
   void argument(std::string name, std::string help, std::filesystem::path& target);
   void flag(std::string name, std::string help, bool& target);
-  void text(std::string name, std::string value, std::string help, std::string& target);
+  void text(std::string name, std::string value, std::string help, std::optional<std::string>& target);
   void path(std::string name, std::string value, std::string help, std::filesystem::path& target);
   void integer(std::string name, std::string value, std::string help, int& target, int low, int high);
   void real(std::string name, std::string value, std::string help, double& target, double low, double high);

@@ -16,8 +16,11 @@
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/render.hpp"
+#include "etendue/text/utf8.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
+#include "ray_tree_output.hpp"
 
 namespace etendue::cli {
 
@@ -25,6 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kName = "render";
 constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
 constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
 constexpr double kMostExposure = 1e6;
@@ -36,23 +40,9 @@ struct Request {
   RenderOptions render;
   std::string accelerator = "bvh";
   double exposure = 1;
-  std::string pixel;  ///< of --ray-tree, as typed
-  int columns = 0;    ///< 0: as the scene says
+  std::optional<std::string> pixel;  ///< of --ray-tree, as typed
+  int columns = 0;                   ///< 0: as the scene says
 };
-
-/// The picture's file name without its extension: as --output says, or that of the scene or of its folder.
-fs::path stem(const Request& request) {
-  if (!request.common.output.empty()) return fs::path(request.common.output).replace_extension();
-  const fs::path name = request.scene.stem();
-  if (name != "scene") return name;
-  const fs::path folder = fs::absolute(request.scene).parent_path().filename();
-  return folder.empty() ? name : folder;
-}
-
-int fail(std::ostream& err, const Error& error) {
-  err << "etendue render: " << error.message << '\n';
-  return static_cast<int>(error.code);
-}
 
 std::string number(double value) {
   char text[32];
@@ -84,15 +74,29 @@ struct Written {
   fs::path exr, png;
 };
 
+/// The pictures' names, when complete or when stopped.
+Written names(const Request& request, bool complete) {
+  const std::string name = output_stem(request.common.output, request.scene).string() + (complete ? "" : ".incomplete");
+  return {name + ".exr", name + ".png"};
+}
+
+/// All files that this run may write.
+std::vector<fs::path> outputs(const Request& request) {
+  if (request.pixel)
+    return request.common.output.empty() ? std::vector<fs::path>{} : std::vector{request.common.output};
+  const Written whole = names(request, true), stopped = names(request, false);
+  return {whole.exr, whole.png, stopped.exr, stopped.png};
+}
+
 Result<Written> write_pictures(const Request& request, const SceneFile& file, const Rendering& rendering) {
-  const fs::path name = stem(request).string() + (rendering.complete ? "" : ".incomplete");
-  Written written{name.string() + ".exr", name.string() + ".png"};
+  const Written written = names(request, rendering.complete);
   ImageMetadata facts = metadata(request, file, rendering);
-  const auto exr = write_image(written.exr, rendering.image, facts);
+  const auto exr = encode_image(written.exr, rendering.image, facts);
   if (!exr) return exr.error();
   facts.emplace_back("etendue:exposure", number(request.exposure));
-  const auto png = write_image(written.png, exposed(rendering.image, request.exposure), facts);
+  const auto png = encode_image(written.png, exposed(rendering.image, request.exposure), facts);
   if (!png) return png.error();
+  if (const auto both = write_files({*exr, *png}); !both) return both.error();
   return written;
 }
 
@@ -106,8 +110,8 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
   const TreeLimits& limits = request.render.limits;
   const int side = request.render.samples_per_side;
   const Brightness bright = brightness(exposed(rendering.image, request.exposure));
-  out << "scene       " << file.scene.name << ", " << file.scene.objects.size() << " objects, hash " << file.hash
-      << '\n'
+  out << "scene       " << printable(file.scene.name) << ", " << file.scene.objects.size() << " objects, hash "
+      << file.hash << '\n'
       << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
       << side << " rays a pixel, depth " << limits.depth << ", cutoff " << number(limits.cutoff) << '\n'
       << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
@@ -159,47 +163,39 @@ Scene resized(Scene scene, int columns) {
   return scene;
 }
 
-struct Pixel {
-  int column, row;
-};
-
-/// "COLUMN,ROW" of a pixel in the picture.
-std::optional<Pixel> read_pixel(const std::string& text, const Camera& camera) {
-  int column = 0, row = 0;
-  const char* const end = text.data() + text.size();
-  const auto [comma, first] = std::from_chars(text.data(), end, column);
-  if (first != std::errc{} || comma == end || *comma != ',') return std::nullopt;
-  const auto [rest, second] = std::from_chars(comma + 1, end, row);
-  if (second != std::errc{} || rest != end) return std::nullopt;
-  if (column < 0 || column >= camera.columns || row < 0 || row >= camera.rows) return std::nullopt;
-  return Pixel{column, row};
+/// What --ray-tree does not go with, if asked for.
+std::optional<std::string> misuse(const Request& request) {
+  if (!request.pixel || request.common.output.empty() || request.common.output.extension() == ".dot")
+    return std::nullopt;
+  return "option '--output': found '" + request.common.output.string() +
+         "', expected a name that ends in .dot, since --ray-tree makes a graph";
 }
 
-/// --ray-tree: the tree of the ray through a pixel's centre, as text or, with --output NAME.dot, as a graph.
-int explain_pixel(const Request& request, const Options& options, const Accelerator& accelerator, std::ostream& out,
-                  std::ostream& err) {
-  const Scene& scene = accelerator.scene();
-  const auto pixel = read_pixel(request.pixel, scene.camera);
+/// --ray-tree: the tree of the ray through a pixel's centre, as text or JSON, or, with --output NAME.dot, as a graph.
+int explain_pixel(const Request& request, const Options& options, const SceneFile& file, const Accelerator& accelerator,
+                  std::ostream& out, std::ostream& err) {
+  const Scene& scene = file.scene;
+  const auto pixel = read_pixel(*request.pixel, scene.camera);
   if (!pixel) {
     return options.usage_error(
-        err, "option '--ray-tree': found '" + request.pixel + "', expected COLUMN,ROW from 0,0 to " +
+        err, "option '--ray-tree': found '" + *request.pixel + "', expected COLUMN,ROW from 0,0 to " +
                  std::to_string(scene.camera.columns - 1) + "," + std::to_string(scene.camera.rows - 1));
   }
   const auto frame = camera_frame(scene.camera);
-  if (!frame) return fail(err, frame.error());
+  if (!frame) return fail(err, kName, frame.error());
   const Ray ray = eye_ray(*frame, picture_point(scene.camera, pixel->column, pixel->row));
   const RayTree tree = trace(ray, accelerator, request.render.limits);
-  if (request.common.output.empty()) {
+  if (!request.common.output.empty()) {
+    const auto written = write_file(request.common.output, to_dot(tree, scene));
+    if (!written) return fail(err, kName, written.error());
+  }
+  if (request.common.json) {
+    out << ray_tree_json(tree, file, *pixel, request.render.limits);
+  } else if (request.common.output.empty()) {
     out << to_text(tree, scene);
-    return 0;
+  } else if (!request.common.quiet) {
+    out << request.common.output.string() << '\n';
   }
-  std::error_code absent;
-  if (std::filesystem::equivalent(request.common.output, request.scene, absent)) {
-    return fail(err, {ErrorCode::usage, "the graph would replace the scene; name another file by --output"});
-  }
-  const auto written = write_file(request.common.output, to_dot(tree, scene));
-  if (!written) return fail(err, written.error());
-  if (!request.common.quiet) out << request.common.output.string() << '\n';
   return 0;
 }
 
@@ -218,7 +214,8 @@ void declare(Options& options, Request& request) {
   options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
                request.exposure, 0, kMostExposure);
   options.text("--ray-tree", "COLUMN,ROW",
-               "no picture: print the tree of rays of one pixel (--output NAME.dot: draw it)", request.pixel);
+               "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
+               request.pixel);
   add_common(options, request.common,
              "NAME.exr or NAME.png: both are written (default: the scene's name, in this folder)");
   options.note(
@@ -236,39 +233,42 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   Request request;
   request.render.limits.depth = 12;
   request.render.samples_per_side = 2;
-  Options options("render", "Render a scene by recursive ray tracing.");
+  Options options(kName, "Render a scene by recursive ray tracing.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  const bool picture = request.pixel.empty();
-  if (picture && !request.common.output.empty()) {
-    const auto writable = check_image_path(request.common.output);
-    if (!writable) return fail(err, writable.error());
+  if (const auto complaint = misuse(request)) return options.usage_error(err, *complaint);
+  if (!request.pixel) {
+    if (const auto fit =
+            check_image_path(request.common.output.empty() ? names(request, true).png : request.common.output);
+        !fit)
+      return fail(err, kName, fit.error());
   }
-  auto file = read_scene(request.scene);
-  if (!file) return fail(err, file.error());
-  if (request.columns > 0) file = SceneFile{resized(file->scene, request.columns), file->hash};
+  auto read = read_scene(request.scene);
+  if (!read) return fail(err, kName, read.error());
+  SceneFile file = std::move(read).value();
+  if (const auto free = check_outputs(outputs(request), file.files); !free) return fail(err, kName, free.error());
+  if (request.columns > 0) file.scene = resized(std::move(file.scene), request.columns);
   const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
-  const auto accelerator = make_accelerator(file->scene, kind);
-  if (!picture) return explain_pixel(request, options, *accelerator, out, err);
+  const auto accelerator = make_accelerator(file.scene, kind);
+  if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);
 
   const auto begin = std::chrono::steady_clock::now();
   const auto rendering = [&] {
     Progress progress(err, "render", request.common);  // wiped before anything is printed
     return etendue::render(*accelerator, request.render, execution(request.common, progress));
   }();
-  if (!rendering) return fail(err, rendering.error());
+  if (!rendering) return fail(err, kName, rendering.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  const auto written = write_pictures(request, *file, *rendering);
-  if (!written) return fail(err, written.error());
+  const auto written = write_pictures(request, file, *rendering);
+  if (!written) return fail(err, kName, written.error());
 
   if (request.common.json) {
-    print_json(out, request, *file, *rendering, *written, elapsed.count());
+    print_json(out, request, file, *rendering, *written, elapsed.count());
   } else if (!request.common.quiet) {
-    print_text(out, request, *file, *rendering, *written, elapsed.count());
+    print_text(out, request, file, *rendering, *written, elapsed.count());
   }
   if (rendering->complete) return 0;
-  err << "etendue render: stopped; the rows that were done are in " << written->exr.string() << '\n';
-  return static_cast<int>(ErrorCode::stopped);
+  return fail(err, kName, {ErrorCode::stopped, "stopped; the rows that were done are in " + quoted_path(written->exr)});
 }
 
 }  // namespace etendue::cli

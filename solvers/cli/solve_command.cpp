@@ -10,8 +10,10 @@
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/image_file.hpp"
+#include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 #include "progress.hpp"
 #include "solve_report.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kName = "solve";
 constexpr double kMostExposure = 1e12;  // beyond, no picture is meant
 constexpr int kMostSamples = 16;        // a side, 256 a pixel
 
@@ -33,23 +36,14 @@ struct Request {
   int samples = 3;
 };
 
-int fail(std::ostream& err, const Error& error) {
-  err << "etendue solve: " << error.message << '\n';
-  return static_cast<int>(error.code);
-}
-
 std::string number(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
-/// The files' name without extension: as --output says, or that of the scene or of its folder.
-std::string stem(const Request& request) {
-  if (!request.common.output.empty()) return fs::path(request.common.output).replace_extension().string();
-  const fs::path name = request.scene.stem();
-  if (name != "scene") return name.string();
-  const fs::path folder = fs::absolute(request.scene).parent_path().filename();
-  return folder.empty() ? name.string() : folder.string();
+/// The file's name with another ending.
+fs::path named(const Request& request, const char* ending) {
+  return output_stem(request.common.output, request.scene).string() + ending;
 }
 
 /// What radiosity leaves out of this scene, one line each.
@@ -60,7 +54,8 @@ std::vector<std::string> left_out(const Scene& scene) {
   }
   for (const Material& material : scene.materials) {
     if (material.k_s > 0 || material.k_r > 0 || material.k_t > 0) {
-      lines.push_back("k_s, k_r and k_t of material '" + material.name + "': every surface is ideally diffuse here");
+      lines.push_back("k_s, k_r and k_t of material '" + printable(material.name) +
+                      "': every surface is ideally diffuse here");
     }
   }
   return lines;
@@ -78,19 +73,23 @@ ImageMetadata metadata(const SolveReport& report, int samples) {
           {"etendue:values", "radiosity [W/m2]"}};
 }
 
-Result<Done> write_pictures(SolveReport& report, const Request& request) {
+/// The pictures as files to be.
+Result<std::vector<NewFile>> make_pictures(SolveReport& report, const Request& request) {
   const Scene& scene = report.file.scene;
   report.vertices = vertex_radiosities(report.mesh, report.solution->radiosity, report.closure.covered);
   report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, report.mesh, report.vertices);
   const auto picture = view_radiosities(scene.camera, report.mesh, report.vertices, scene.background, request.samples);
   if (!picture) return picture.error();
   ImageMetadata facts = metadata(report, request.samples);
-  report.exr = stem(request) + ".exr";
-  report.png = stem(request) + ".png";
-  if (const auto written = write_image(report.exr, *picture, facts); !written) return written;
+  report.exr = named(request, ".exr");
+  report.png = named(request, ".png");
+  const auto exr = encode_image(report.exr, *picture, facts);
+  if (!exr) return exr.error();
   facts.back().second = "radiosity times exposure";
   facts.emplace_back("etendue:exposure", number(report.exposure));
-  return write_image(report.png, exposed(*picture, report.exposure), facts);
+  const auto png = encode_image(report.png, exposed(*picture, report.exposure), facts);
+  if (!png) return png.error();
+  return std::vector<NewFile>{*exr, *png};
 }
 
 void declare(Options& options, Request& request) {
@@ -113,12 +112,18 @@ void declare(Options& options, Request& request) {
   options.example("etendue solve scenes/furnace/scene.json --solver eigen --json --output furnace-eigen.png");
 }
 
+/// All files that this run may write.
+std::vector<fs::path> outputs(const Request& request) {
+  return {named(request, ".exr"), named(request, ".png"), named(request, ".json"), named(request, ".incomplete.json")};
+}
+
 /// Everything up to the radiosities; when stopped, the report has no solution.
 Result<SolveReport> solved(const Request& request, std::ostream& err) {
   SolveReport report;
   auto file = read_scene(request.scene);
   if (!file) return file.error();
   report.file = std::move(file).value();
+  if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
   report.tolerance.obstructed = {request.tolerance, request.tolerance * 1e-3};
@@ -143,41 +148,35 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
 
 int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Request request;
-  Options options("solve", "Solve the radiosity equation of a scene, and show the result.");
+  Options options(kName, "Solve the radiosity equation of a scene, and show the result.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  if (!request.common.output.empty()) {
-    const auto writable = check_image_path(request.common.output);
-    if (!writable) return fail(err, writable.error());
-  }
-  for (const char* ending : {".json", ".incomplete.json"}) {
-    std::error_code absent;
-    if (fs::equivalent(stem(request) + ending, request.scene, absent)) {
-      return options.usage_error(
-          err, "the report " + stem(request) + ending + " would replace the scene; name another by --output");
-    }
-  }
+  const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
+  if (!fit) return fail(err, kName, fit.error());
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);
-  if (!outcome) return fail(err, outcome.error());
+  if (!outcome) return fail(err, kName, outcome.error());
   SolveReport report = std::move(outcome).value();
   if (!request.common.quiet) {
     for (const std::string& line : left_out(report.file.scene)) err << "etendue solve: left out: " << line << '\n';
   }
+  std::vector<NewFile> files;
   if (report.solution) {
-    if (const auto written = write_pictures(report, request); !written) return fail(err, written.error());
+    auto pictures = make_pictures(report, request);
+    if (!pictures) return fail(err, kName, pictures.error());
+    files = std::move(pictures).value();
   }
-  report.json = stem(request) + (report.solution ? ".json" : ".incomplete.json");
+  report.json = named(request, report.solution ? ".json" : ".incomplete.json");
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (const auto written = write_file(report.json, full_json(report)); !written) return fail(err, written.error());
+  files.push_back({report.json, full_json(report)});
+  if (const auto written = write_files(files); !written) return fail(err, kName, written.error());
   if (request.common.json) {
     out << summary_json(report);
   } else if (!request.common.quiet) {
     print_summary(out, report);
   }
   if (report.solution) return 0;
-  err << "etendue solve: stopped; the state of the matrix is in " << report.json.string() << '\n';
-  return static_cast<int>(ErrorCode::stopped);
+  return fail(err, kName, {ErrorCode::stopped, "stopped; the state of the matrix is in " + quoted_path(report.json)});
 }
 
 }  // namespace etendue::cli

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "etendue/core/version.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue::cli {
 
@@ -139,7 +140,8 @@ std::string full_json(const SolveReport& report) {
 void print_summary(std::ostream& out, const SolveReport& report) {
   const FormFactorMatrix& matrix = report.matrix;
   const Scene& scene = report.file.scene;
-  out << "scene        " << scene.name << ", " << scene.objects.size() << " objects, hash " << report.file.hash << '\n'
+  out << "scene        " << printable(scene.name) << ", " << scene.objects.size() << " objects, hash "
+      << report.file.hash << '\n'
       << "mesh         " << report.mesh.elements.size() << " elements in " << report.mesh.patches << " patches on "
       << report.mesh.faces.size() << " faces\n"
       << "pairs        " << matrix.pairs.clear << " clear, " << matrix.pairs.obstructed << " obstructed, "
@@ -151,7 +153,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
     return;
   }
   out << "closure      1 to within " << rounded(report.closure.defect) << ", worst at element " << report.closure.worst
-      << " (" << object_name(report, report.closure.worst) << "); bounds of a row sum to "
+      << " (" << printable(object_name(report, report.closure.worst)) << "); bounds of a row sum to "
       << rounded(report.closure.largest_row_bound) << " at most\n";
   if (!report.closure.covered.empty()) {
     out << "covered      " << report.closure.covered.size()

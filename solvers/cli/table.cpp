@@ -10,6 +10,7 @@
 #include "etendue/core/result.hpp"
 #include "etendue/core/version.hpp"
 #include "etendue/io/nearest.hpp"
+#include "etendue/text/utf8.hpp"
 #include "render_command.hpp"
 #include "solve_command.hpp"
 #include "validate_command.hpp"
@@ -44,7 +45,13 @@ int unknown(const std::string& word, std::ostream& err) {
   std::vector<std::string> names{"--help", "--version"};
   for (const auto& command : commands()) names.emplace_back(command.name);
   const char* kind = word.rfind("-", 0) == 0 ? "option" : "command";
-  err << "etendue: unknown " << kind << " '" << word << "'" << did_you_mean(word, names) << "\nTry 'etendue --help'.\n";
+  err << "etendue: unknown " << kind << " '" << printable(word) << "'" << did_you_mean(word, names)
+      << "\nTry 'etendue --help'.\n";
+  return exit_code(ErrorCode::usage);
+}
+
+int unexpected(const std::string& word, const std::string& after, std::ostream& err) {
+  err << "etendue: unexpected argument '" << printable(word) << "' after " << after << "\nTry 'etendue --help'.\n";
   return exit_code(ErrorCode::usage);
 }
 
@@ -54,11 +61,13 @@ int dispatch(const std::vector<std::string>& arguments, std::ostream& out, std::
     return exit_code(ErrorCode::usage);
   }
   const std::string& first = arguments.front();
+  const bool about = first == "--version" || first == "--help" || first == "-h";
+  if (about && arguments.size() > 1) return unexpected(arguments[1], first, err);
   if (first == "--version") {
     out << "etendue " << version() << '\n';
     return 0;
   }
-  if (first == "--help" || first == "-h") {
+  if (about) {
     print_usage(out);
     return 0;
   }
@@ -87,10 +96,10 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     err << "etendue: out of memory\n";
     code = exit_code(ErrorCode::input_output);
   } catch (const ContractViolation& defect) {
-    err << "etendue: internal check failed (a defect of this program): " << defect.what() << '\n';
+    err << "etendue: internal check failed (a defect of this program): " << printable(defect.what()) << '\n';
     code = exit_code(ErrorCode::check_failed);
   } catch (const std::exception& defect) {
-    err << "etendue: unexpected failure: " << defect.what() << '\n';
+    err << "etendue: unexpected failure: " << printable(defect.what()) << '\n';
     code = exit_code(ErrorCode::check_failed);
   }
   out.flush();

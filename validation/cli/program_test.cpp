@@ -48,12 +48,18 @@ TEST(Program, RefusesWrongUse) {
   EXPECT_EQ(option.err, "etendue: unknown option '--vresion'; did you mean '--version'?\nTry 'etendue --help'.\n");
   EXPECT_EQ(nothing.code, 2);
   EXPECT_EQ(nothing.out, "");
+  for (const std::string about : {"--version", "--help", "-h"}) {
+    const Ended more = run_etendue({about, "foo"});
+    EXPECT_EQ(more.code, 2);
+    EXPECT_EQ(more.out, "");
+    EXPECT_EQ(more.err, "etendue: unexpected argument 'foo' after " + about + "\nTry 'etendue --help'.\n");
+  }
   EXPECT_EQ(run_etendue({"render"}).code, 2);
   const Ended threads = run_etendue({"render", minimal_scene(), "--threads", "0"});
   EXPECT_EQ(threads.code, 2);
   EXPECT_NE(threads.err.find("'--threads': found '0', expected an integer in [1, 1024]"), std::string::npos);
   EXPECT_NE(run_etendue({"solve", "--thread", "1"}).err.find("did you mean '--threads'?"), std::string::npos);
-  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 6));
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 9));
 }
 
 // CLAIM      Data that do not get through to standard output make exit code 5: a full device, a reader that has gone.
@@ -65,15 +71,15 @@ TEST(Program, NoticesLostOutput) {
   full.out = "/dev/full";
   closed.closed_pipe = true;
   for (const auto& options : {full, closed}) {
-    for (const auto& arguments :
-         std::vector<std::vector<std::string>>{{"--version"}, {"--help"}, {"render", "--help"}}) {
+    for (const auto& arguments : std::vector<std::vector<std::string>>{
+             {"--version"}, {"--help"}, {"render", "--help"}, {"render", minimal_scene(), "--ray-tree", "0,0"}}) {
       const Ended ended = run_etendue(arguments, options);
       EXPECT_EQ(ended.code, 5);
       EXPECT_EQ(ended.signal, 0);
       EXPECT_EQ(ended.err, "etendue: cannot write to standard output: not all data got through\n");
     }
   }
-  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 6));
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 8));
 }
 
 /// A scene file that is wrong in one way, and what the program must say of it.
@@ -99,7 +105,8 @@ TEST(Program, RefusesWrongScenesWithTheirPlace) {
       {with("\"rho\": 0.5", "\"rho\": 1"), "17:45: /materials/wall/rho: ", "expected a number in [0, 1)"},
       {with("  \"unit\": \"cm\",\n", ""), "1:1: ", "no key \"unit\""},
       {with("\"ambient\": 0.3", "\"ambient\": 1e999"), "15:14: /ambient: ", "that a double can hold"},
-      {with("100, 0], [100, 100, 0]", "100, 0], [100, 101, 0]"), "31:19: /objects/2/vertices: ", "polygon: vertex"},
+      {with("100, 0], [100, 100, 0]", "100, 0], [100, 101, 0]"),
+       "31:19: /objects/2/vertices: ", "found a polygon that is none: vertex"},
       {std::string(1000, '['), "1:66: ", "nesting deeper than 64"},
       {"", "1:1: ", "found the end of the file, expected a value"},
       {std::string("\x7f"
@@ -149,7 +156,7 @@ TEST(Program, RefusesFilesItCannotReadOrWrite) {
       {dir + "/none.json", dir + "/a.png", 5, "cannot read '" + dir + "/none.json': No such file or directory"},
       {dir, dir + "/a.png", 5, "cannot read '" + dir + "': is a directory"},
       {dir + "/file/scene.json", dir + "/a.png", 5, "Not a directory"},
-      {minimal_scene(), dir + "/none/a.png", 5, "cannot write '" + dir + "/none/a.png'"},
+      {minimal_scene(), dir + "/none/a.png", 5, "cannot write '" + dir + "/none/a.exr'"},
       {minimal_scene(), dir + "/file/a.exr", 5, "cannot write '" + dir + "/file/a.exr'"},
       {minimal_scene(), dir + "/folder.png", 5, "is a directory"},
       {minimal_scene(), dir + "/a.jpg", 2, "expected .exr or .png"},

@@ -31,12 +31,40 @@ TEST(RenderCommand, PrintsAndDrawsARayTree) {
   const Ended drawn = run_etendue({"render", mirrors(), "--ray-tree", "295,235", "--output", dot.string()});
   EXPECT_EQ(drawn.code, 0) << drawn.err;
   EXPECT_TRUE(holds(read_text(dot).rfind("digraph ray_tree {", 0) == 0));
+  for (const char* name : {"tree.png", "tree", "tree.dott"}) {
+    const auto misnamed = (folder.path() / name).string();
+    const Ended refused = run_etendue({"render", mirrors(), "--ray-tree", "295,235", "--output", misnamed});
+    EXPECT_TRUE(holds(refused.code == 2 && folder.contents() == "tree.dot")) << refused.err;
+    EXPECT_NE(refused.err.find("'" + misnamed + "', expected a name that ends in .dot"), std::string::npos);
+  }
   for (const char* wrong : {"500,0", "-1,0", "1", "1;2", "1,2x", ""}) {
-    if (*wrong == 0) continue;
     const Ended refused = run_etendue({"render", mirrors(), std::string("--ray-tree=") + wrong});
     EXPECT_EQ(refused.code, 2) << wrong;
     EXPECT_NE(refused.err.find("expected COLUMN,ROW"), std::string::npos) << refused.err;
   }
+}
+
+// CLAIM      --ray-tree --json prints the same tree for a machine, with and without a drawing.
+// ORACLE     table: the path between the two mirrors, each taking a tenth.
+// TOLERANCE  none; 0.81 to the last bit or two of a product of doubles.
+TEST(RenderCommand, PrintsARayTreeAsJson) {
+  proves({}, Oracle::table, "a path between the two mirrors of the mirror scene");
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"render", mirrors(), "--ray-tree=295,235", "--depth=1", "--json"};
+  const Ended printed = run_etendue(arguments);
+  ASSERT_EQ(printed.code, 0) << printed.err;
+  const auto report = nlohmann::json::parse(printed.out);
+  EXPECT_TRUE(holds(report["pixel"] == nlohmann::json({295, 235})));
+  ASSERT_EQ(report["rays"].size(), 3u);
+  const auto& first = report["rays"][1];
+  EXPECT_TRUE(holds(first["name"] == "R1" && first["kind"] == "reflected" && first["parent"] == 0));
+  EXPECT_TRUE(holds(first["end"] == "surface" && first["object"]["name"] == "standing mirror/glass"));
+  EXPECT_TRUE(holds(report["rays"][2]["end"] == "depth limit" && !report["rays"][2].contains("object")));
+  constexpr double kTwoRoundings = 2 * 0x1p-53;
+  EXPECT_TRUE(near(report["rays"][2]["weight"].get<double>(), 0.81, kTwoRoundings));
+  arguments.insert(arguments.end(), {"--output", (folder.path() / "tree.dot").string()});
+  const Ended drawn = run_etendue(arguments);
+  EXPECT_TRUE(holds(drawn.code == 0 && drawn.out == printed.out && folder.contents() == "tree.dot")) << drawn.err;
 }
 
 // CLAIM      render writes EXR and PNG with what made them, and a report that a machine can read; --columns scales the picture.

@@ -333,6 +333,12 @@ TEST(Polygon, RefusesWhatIsNoPolygon) {
       names(refusal({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {4, 1, 0}, {0, 1, 0}}), "fold back at vertex 2 = (4, 4, 0)")));
   EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1e77, 0, 0}, {0, 1e77, 0}}), "lies beyond 2^200 = 1.60694e+60")));
   EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1e-80, 0, 0}, {0, 1e-80, 0}}), "edge 0-1 at (0, 0, 0) is 1e-80 long")));
+  // Where the signed areas cancel, the edges are named all the same, in any plane.
+  EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}), "edges 0-1 (0, 0, 0) to (1, 1, 0)")));
+  EXPECT_TRUE(holds(names(refusal({{1, 0, 0}, {1, 2, 2}, {1, 2, 0}, {1, 0, 2}}), "and 2-3 (1, 2, 0) to (1, 0, 2)")));
+  EXPECT_TRUE(holds(
+      names(refusal({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {1, 0, 0}}), "0-1 (0, 0, 0) to (1, 0, 0) and 2-3 (1, 0, 1)")));
+  EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, 1, 1}, {1, 1, 0}, {0, 0, 1}}), "cross")));
   // Rounding to double is not a flaw; to six digits it is.
   Random random(605);
   for (int i = 0; i < 100; ++i) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/atomic_file.hpp"
 
-#include <stdexcept>
-
 #include "support/evidence.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -16,29 +14,25 @@ TEST(AtomicFile, ReplacesAsAWholeOrNotAtAll) {
   proves({}, Oracle::exact, "the folder's contents");
   const TemporaryFolder folder;
   const auto path = folder.add("data.csv", "old");
-  const Error failure{ErrorCode::not_converged, "half way"};
-  std::filesystem::path temporary;
-  const auto failing = write_atomically(path, [&](const std::filesystem::path& to) -> Result<Done> {
-    temporary = to;
-    folder.add(to.filename().string(), "half");
-    return failure;
-  });
+  // The second file cannot be made, so the first must not change either.
+  const auto failing = write_files({{path, "new"}, {folder.path() / "none" / "b.csv", "new"}});
   ASSERT_FALSE(failing.ok());
-  EXPECT_EQ(failing.error().message, "half way");
-  EXPECT_EQ(temporary.parent_path(), path.parent_path());
-  EXPECT_EQ(temporary.extension(), ".csv");
-  const auto throwing = [&](const std::filesystem::path& to) -> Result<Done> {
-    folder.add(to.filename().string(), "half");
-    throw std::runtime_error("half way");
-  };
-  EXPECT_THROW((void)write_atomically(path, throwing), std::runtime_error);
+  EXPECT_EQ(failing.error().message, "cannot write '" + (folder.path() / "none" / "b.csv").string() +
+                                         "': there is no folder '" + (folder.path() / "none").string() + "'");
   EXPECT_EQ(folder.contents(), "data.csv");
   EXPECT_EQ(read_text(path), "old");
+  ASSERT_TRUE(check_writable({path, folder.path() / "c.csv"}).ok());
+  EXPECT_FALSE(check_writable({path, folder.path() / "none" / "b.csv"}).ok());
+  EXPECT_EQ(folder.contents(), "data.csv");
+  EXPECT_EQ(read_text(path), "old");
+  ASSERT_TRUE(write_files({{path, "new"}, {folder.path() / "c.csv", "also"}}).ok());
+  EXPECT_EQ(folder.contents(), "c.csv data.csv");
+  std::filesystem::remove(folder.path() / "c.csv");
 
   ASSERT_TRUE(write_file(path, std::string(100000, 'n')).ok());
   EXPECT_EQ(read_text(path), std::string(100000, 'n'));
   EXPECT_EQ(folder.contents(), "data.csv");
-  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 3));
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 10));
 }
 
 // CLAIM      A link stays a link, and devices and folders are never replaced.

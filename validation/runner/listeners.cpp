@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "cli/stop.hpp"
+
 namespace etendue::validation {
 
 namespace {
@@ -21,15 +23,22 @@ std::string text(const ::testing::TestPartResult& part) {
 
 }  // namespace
 
+void Collector::OnTestStart(const ::testing::TestInfo&) {
+  if (cli::stop_requested()) GTEST_SKIP();
+}
+
 void Collector::OnTestEnd(const ::testing::TestInfo& info) {
   const auto& result = *info.result();
   TestRun test;
   test.suite = info.test_suite_name();
   test.name = info.name();
   test.outcome = result.Failed() ? Outcome::failed : result.Skipped() ? Outcome::skipped : Outcome::passed;
+  // A terminal sends its interrupt to the program under test as well: what fails meanwhile says nothing.
+  if (cli::stop_requested() && test.outcome != Outcome::passed) test.outcome = Outcome::not_run;
   test.seconds = static_cast<double>(result.elapsed_time()) * kSecondsPerMillisecond;
   for (int i = 0; i < result.total_part_count(); ++i) {
-    if (result.GetTestPartResult(i).failed()) test.failures.push_back(text(result.GetTestPartResult(i)));
+    if (test.outcome != Outcome::not_run && result.GetTestPartResult(i).failed())
+      test.failures.push_back(text(result.GetTestPartResult(i)));
   }
   const std::string full_name = test.suite + "." + test.name;
   for (const auto& evidence : collected_evidence()) {

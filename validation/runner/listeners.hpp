@@ -13,6 +13,7 @@ namespace etendue::validation {
 class Collector : public ::testing::EmptyTestEventListener {
  public:
   explicit Collector(std::vector<TestRun>& tests) : tests_(tests) {}
+  void OnTestStart(const ::testing::TestInfo& info) override;  ///< skips the test once the user wants to stop
   void OnTestEnd(const ::testing::TestInfo& info) override;
 
  private:

@@ -113,12 +113,13 @@ Exit status
   0  all tests passed, and every verdict of the register is backed
   1  a test failed, asserts nothing, or the register claims what no test proves
   2  the command line is wrong, or --filter selects nothing
-  5  a report cannot be written (checked before the first test runs)
+  5  a report cannot be written (checked before the first test runs), or standard output did not take everything
+  6  stopped by Ctrl-C: the running test was ended, the reports say which tests were not run
 
 Sample runs
   etendue-validate --claims
   etendue-validate --filter IU.6-11
-  etendue-validate --filter 'IU.5-*' --json report.json
+  etendue-validate --filter 'IU.5-1*' --json report.json
 )";
 }
 

@@ -26,10 +26,24 @@ Json from(const Evidence& evidence) {
   return json;
 }
 
+const char* word(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::passed:
+      return "passed";
+    case Outcome::failed:
+      return "failed";
+    case Outcome::skipped:
+      return "skipped";
+    case Outcome::not_run:
+      return "not run";
+  }
+  return "unknown";
+}
+
 Json from(const TestRun& test) {
   Json json;
   json["test"] = test.suite + "." + test.name;
-  json["outcome"] = test.outcome == Outcome::passed ? "passed" : test.outcome == Outcome::failed ? "failed" : "skipped";
+  json["outcome"] = word(test.outcome);
   json["failures"] = test.failures;
   json["duration_seconds"] = number(test.seconds);
   json["evidence"] = Json::array();
@@ -67,6 +81,7 @@ Json totals(const Summary& summary) {
   Json json;
   json["tests_passed"] = summary.passed;
   json["tests_failed"] = summary.failed;
+  json["tests_not_run"] = summary.not_run;
   json["claims_verified"] = summary.verified;
   json["claims_refuted"] = summary.refuted;
   json["claims_open"] = summary.open;
@@ -83,6 +98,7 @@ std::string json_report(const Summary& summary, const Register& all, const Build
   json["date"] = build.date;
   json["duration_seconds"] = number(build.seconds);
   json["full_run"] = summary.full;
+  json["stopped"] = summary.not_run > 0;
   json["ok"] = summary.ok();
   json["totals"] = totals(summary);
   json["problems"] = summary.problems;

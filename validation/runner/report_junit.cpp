@@ -70,24 +70,27 @@ std::string test_case(const TestRun& test) {
             "</failure>\n";
   }
   if (test.outcome == Outcome::skipped) text += "      <failure message=\"skipped\">nothing skips here</failure>\n";
+  if (test.outcome == Outcome::not_run) text += "      <skipped message=\"the run was stopped\"/>\n";
   return text + "    </testcase>\n";
 }
 
 struct Counts {
   std::size_t tests = 0;
   std::size_t failures = 0;
+  std::size_t skipped = 0;
   double seconds = 0;
 };
 
 std::string counted(const Counts& counts) {
   return attribute("tests", std::to_string(counts.tests)) + attribute("failures", std::to_string(counts.failures)) +
-         " errors=\"0\"" + attribute("time", seconds_text(counts.seconds));
+         attribute("skipped", std::to_string(counts.skipped)) + " errors=\"0\"" +
+         attribute("time", seconds_text(counts.seconds));
 }
 
 /// Everything that fails the run beside its tests, as one more test case: a reader of JUnit sees red too.
 std::string problem_suite(const Summary& summary) {
   if (summary.problems.empty()) return {};
-  std::string text = "  <testsuite name=\"Register\"" + counted({1, 1, 0}) + ">\n";
+  std::string text = "  <testsuite name=\"Register\"" + counted({1, 1, 0, 0}) + ">\n";
   TestRun all{"Register", "EveryVerdictIsBacked", Outcome::failed, summary.problems, 0, {}};
   return text + test_case(all) + "  </testsuite>\n";
 }
@@ -95,7 +98,8 @@ std::string problem_suite(const Summary& summary) {
 }  // namespace
 
 std::string junit_report(const Summary& summary, const BuildInfo& build) {
-  Counts all{summary.tests.size(), static_cast<std::size_t>(summary.failed), build.seconds};
+  Counts all{summary.tests.size(), static_cast<std::size_t>(summary.failed), static_cast<std::size_t>(summary.not_run),
+             build.seconds};
   if (!summary.problems.empty()) {
     ++all.tests;
     ++all.failures;
@@ -110,7 +114,8 @@ std::string junit_report(const Summary& summary, const BuildInfo& build) {
     while (last < summary.tests.size() && summary.tests[last].suite == summary.tests[first].suite) {
       const TestRun& test = summary.tests[last++];
       ++counts.tests;
-      counts.failures += test.outcome != Outcome::passed;
+      counts.failures += test.outcome == Outcome::failed || test.outcome == Outcome::skipped;
+      counts.skipped += test.outcome == Outcome::not_run;
       counts.seconds += test.seconds;
       cases += test_case(test);
     }

@@ -31,7 +31,7 @@ std::string verdict_text(const RowReport& row) {
 }
 
 void append_row(std::string& text, const RowReport& row) {
-  if (row.standing == Standing::open) return;
+  if (row.standing == Standing::open || row.standing == Standing::not_run) return;
   if (row.proofs.empty()) append_line(text, {row.id, "-", "-", verdict_text(row)});
   for (std::size_t i = 0; i < row.proofs.size(); ++i) {
     const Proof& proof = row.proofs[i];
@@ -55,6 +55,17 @@ void append_open(std::string& text, const char* what, const std::vector<RowRepor
   if (any) text += line + "\n";
 }
 
+/// How many rows of the register this run did not look at: their names would hide the few that it did.
+void append_not_run(std::string& text, const Summary& summary) {
+  const auto count = [](const std::vector<RowReport>& rows) {
+    return std::count_if(rows.begin(), rows.end(), [](const RowReport& r) { return r.standing == Standing::not_run; });
+  };
+  const auto claims = count(summary.claims), errata = count(summary.errata);
+  if (claims + errata == 0) return;
+  text += "not run: the tests of " + std::to_string(claims) + (claims == 1 ? " claim" : " claims") + " and " +
+          std::to_string(errata) + (errata == 1 ? " erratum" : " errata") + " that have a verdict\n";
+}
+
 }  // namespace
 
 std::string share_text(double share) {
@@ -74,6 +85,7 @@ std::string text_report(const Summary& summary, const BuildInfo& build) {
   append_line(text, {"erratum", "oracle", "worst error/tolerance", "verdict"});
   for (const auto& row : summary.errata) append_row(text, row);
   text += "\n";
+  append_not_run(text, summary);
   if (summary.full) {
     append_open(text, "claims", summary.claims);
     append_open(text, "errata", summary.errata);
@@ -82,6 +94,7 @@ std::string text_report(const Summary& summary, const BuildInfo& build) {
     for (const auto& failure : test.failures) text += "FAILED " + test.suite + "." + test.name + "\n" + failure + "\n";
   }
   for (const auto& problem : summary.problems) text += "PROBLEM " + problem + "\n";
+  text += stop_notice(summary);
   text += std::to_string(summary.passed) + " tests passed, " + std::to_string(summary.failed) + " failed\n";
   text += headline(summary) + "\n";
   return text;

@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
-#include <memory>
 
+#include "cli/stop.hpp"
 #include "etendue/core/version.hpp"
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/text/utf8.hpp"
 #include "runner/listeners.hpp"
 #include "runner/options.hpp"
-#include "runner/output_file.hpp"
 #include "runner/probe.hpp"
 #include "runner/report.hpp"
 
@@ -24,7 +27,7 @@ namespace {
 constexpr double kSecondsPerMillisecond = 1e-3;
 
 int fail(const Error& error) {
-  std::cerr << "etendue-validate: " << error.message << "\n";
+  std::cerr << "etendue-validate: " << printable_lines(error.message) << "\n";
   return static_cast<int>(error.code);
 }
 
@@ -88,39 +91,22 @@ Result<std::string> gtest_filter(const std::vector<std::string>& patterns) {
   return filter;
 }
 
-struct Reports {
-  std::unique_ptr<OutputFile> text;
-  std::unique_ptr<OutputFile> json;
-  std::unique_ptr<OutputFile> junit;
-};
-
-Result<Reports> open_reports(const Options& options) {
-  Reports reports;
-  const auto open = [](const std::string& path, std::unique_ptr<OutputFile>& file) -> Result<Done> {
-    if (path.empty()) return Done{};
-    auto opened = OutputFile::open(path);
-    if (!opened) return opened.error();
-    file = std::move(opened).value();
-    return Done{};
-  };
-  for (auto&& done : {open(options.text_path, reports.text), open(options.json_path, reports.json),
-                      open(options.junit_path, reports.junit)}) {
-    if (!done) return done.error();
+/// Before the first test: a path that cannot be written must not cost the work of a whole run.
+Result<Done> check_reports(const Options& options) {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& path : {options.text_path, options.json_path, options.junit_path}) {
+    if (!path.empty()) paths.emplace_back(path);
   }
-  return reports;
+  return check_writable(paths);
 }
 
-Result<Done> write_reports(const Reports& reports, const Summary& summary, const Register& all,
+Result<Done> write_reports(const Options& options, const Summary& summary, const Register& all,
                            const BuildInfo& build) {
-  const auto commit = [](const std::unique_ptr<OutputFile>& file, const std::string& content) -> Result<Done> {
-    return file ? file->commit(content) : Result<Done>(Done{});
-  };
-  for (auto&& done :
-       {commit(reports.text, text_report(summary, build)), commit(reports.json, json_report(summary, all, build)),
-        commit(reports.junit, junit_report(summary, build))}) {
-    if (!done) return done.error();
-  }
-  return Done{};
+  std::vector<NewFile> files;
+  if (!options.text_path.empty()) files.push_back({options.text_path, text_report(summary, build)});
+  if (!options.json_path.empty()) files.push_back({options.json_path, json_report(summary, all, build)});
+  if (!options.junit_path.empty()) files.push_back({options.junit_path, junit_report(summary, build)});
+  return write_files(files);
 }
 
 /// Did nothing narrow the run: no filter, no shard?
@@ -151,10 +137,11 @@ void print(const Summary& summary, const BuildInfo& build, const Options& option
       std::cout << "FAILED " << test.suite << "." << test.name << "\n" << failure << "\n";
   }
   for (const auto& problem : summary.problems) std::cout << "PROBLEM " << problem << "\n";
+  std::cout << stop_notice(summary);
   if (options.gtest_options.empty()) std::cout << headline(summary) << "\n";
 }
 
-int run_tests(const Options& options, const Register& all, const Reports& reports) {
+int run_tests(const Options& options, const Register& all) {
   auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
   std::vector<TestRun> tests;
   listeners.Append(new Collector(tests));  // GoogleTest owns it
@@ -164,14 +151,19 @@ int run_tests(const Options& options, const Register& all, const Reports& report
   }
   // What RUN_ALL_TESTS thinks is told again, test by test, by the summary; but it also sees failures outside tests.
   const int gtest_says = RUN_ALL_TESTS();
-  const bool full = selects_everything();
+  const bool stopped =
+      std::any_of(tests.begin(), tests.end(), [](const TestRun& t) { return t.outcome == Outcome::not_run; });
+  const bool full = selects_everything() && !stopped;
   if (full) add_disabled(tests);
   const Summary summary = summarize(all, std::move(tests), full);
   BuildInfo build = build_info();
   build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
   print(summary, build, options);
-  const auto written = write_reports(reports, summary, all, build);
+  const auto written = write_reports(options, summary, all, build);
   if (!written) return fail(written.error());
+  if (stopped) {
+    return fail({ErrorCode::stopped, "stopped; " + std::to_string(summary.not_run) + " tests were not run"});
+  }
   return gtest_says == 0 && summary.ok() ? 0 : static_cast<int>(ErrorCode::check_failed);
 }
 
@@ -191,9 +183,7 @@ Result<Done> init_gtest(const Options& options) {
 int run_action(const Options& options, const Register& all) {
   if (inside_probe()) return fail({ErrorCode::usage, "a probe of the tests must not start another run"});
   if (options.action == Options::Action::list) return print_tests();
-  // Reports first: a path that cannot be written must not cost the work of a whole run.
-  const auto reports = open_reports(options);
-  if (!reports) return fail(reports.error());
+  if (const auto writable = check_reports(options); !writable) return fail(writable.error());
   std::string filter;
   if (!options.filters.empty()) {
     const auto chosen = gtest_filter(options.filters);
@@ -204,12 +194,10 @@ int run_action(const Options& options, const Register& all) {
   if (!ready) return fail(ready.error());
   if (!filter.empty()) GTEST_FLAG_SET(filter, filter);
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
-  return run_tests(options, all, *reports);
+  return run_tests(options, all);
 }
 
-}  // namespace
-
-int run_validation(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {
+int run(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {
   const auto options = parse_options({argv + 1, argv + argc});
   if (!options) return fail(options.error());
   if (options->action == Options::Action::help) {
@@ -224,6 +212,19 @@ int run_validation(int argc, char** argv, std::string_view claims_json, std::str
   if (!all) return fail(all.error());
   if (options->action == Options::Action::claims) return print_claims(*all);
   return run_action(*options, *all);
+}
+
+}  // namespace
+
+int run_validation(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves early is a write error (5), not a silent death
+  std::signal(SIGXFSZ, SIG_IGN);  // so is a limit on the size of files
+  cli::watch_stop_signals();
+  const int code = run(argc, argv, claims_json, errata_json);
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::cout && !std::ferror(stdout)) return code;
+  const int lost = fail({ErrorCode::input_output, "cannot write to standard output: not all data got through"});
+  return code == 0 ? lost : code;
 }
 
 }  // namespace etendue::validation

@@ -47,7 +47,7 @@ RowReport report_row(const std::string& id, Verdict verdict, const std::vector<T
   bool any_failed = false;
   for (const auto& test : tests) {
     for (const auto& evidence : test.evidence) {
-      if (!cites(evidence, id)) continue;
+      if (!cites(evidence, id) || test.outcome == Outcome::not_run) continue;
       const bool good = test.outcome == Outcome::passed && why_worthless(evidence).empty();
       (good ? any_passed : any_failed) = true;
       add(row.proofs, evidence);
@@ -79,7 +79,11 @@ void find_problems(Summary& summary, const Register& all) {
 }
 
 void count(Summary& summary) {
-  for (const auto& test : summary.tests) ++(test.outcome == Outcome::passed ? summary.passed : summary.failed);
+  for (const auto& test : summary.tests) {
+    if (test.outcome == Outcome::passed) ++summary.passed;
+    if (test.outcome == Outcome::failed || test.outcome == Outcome::skipped) ++summary.failed;
+    if (test.outcome == Outcome::not_run) ++summary.not_run;
+  }
   for (const auto& row : summary.claims) {
     if (row.verdict == Verdict::open) ++summary.open;
     if (row.standing == Standing::confirmed) ++(row.verdict == Verdict::verified ? summary.verified : summary.refuted);
@@ -109,6 +113,21 @@ std::string headline(const Summary& summary) {
   return std::to_string(summary.verified) + " claims verified, " + std::to_string(summary.refuted) +
          " refuted with the mended form verified, " + std::to_string(summary.open) + " open; " +
          std::to_string(summary.proved) + " errata proved";
+}
+
+std::string stop_notice(const Summary& summary) {
+  if (summary.not_run == 0) return {};
+  std::string text = "STOPPED: " + std::to_string(summary.not_run) +
+                     (summary.not_run == 1 ? " test was" : " tests were") + " not run, of ";
+  for (std::size_t first = 0, suites = 0; first < summary.tests.size();) {
+    std::size_t last = first, count = 0;
+    while (last < summary.tests.size() && summary.tests[last].suite == summary.tests[first].suite) {
+      count += summary.tests[last++].outcome == Outcome::not_run;
+    }
+    if (count > 0) text += (suites++ == 0 ? "" : ", ") + summary.tests[first].suite + " " + std::to_string(count);
+    first = last;
+  }
+  return text + "\n";
 }
 
 std::string word(const RowReport& row) {

@@ -11,7 +11,12 @@
 // Joins what the tests left behind with the register: which rows does this run back, and which does it contradict?
 namespace etendue::validation {
 
-enum class Outcome { passed, failed, skipped };
+enum class Outcome {
+  passed,
+  failed,
+  skipped,
+  not_run,  ///< the user had stopped the run, or did while the test failed: that may be why it failed
+};
 
 /// One finished test.
 struct TestRun {
@@ -57,6 +62,7 @@ struct Summary {
   std::vector<std::string> problems;  ///< anything that makes the run fail beside failed tests
   int passed = 0;
   int failed = 0;
+  int not_run = 0;  ///< tests, for the user stopped the run
   int verified = 0;
   int refuted = 0;
   int open = 0;
@@ -71,6 +77,9 @@ Summary summarize(const Register& all, std::vector<TestRun> tests, bool full);
 
 /// "12 claims verified, 3 refuted with the mended form verified, 90 open; 5 errata proved"
 std::string headline(const Summary& summary);
+
+/// "STOPPED: 3 tests were not run", and from which suites; nothing when the run was not stopped.
+std::string stop_notice(const Summary& summary);
 
 /// The word for the table: "verified", "FAILED", "not run", …
 std::string word(const RowReport& row);

@@ -4,6 +4,7 @@
 as the one that hands over to it."""
 import json
 import os
+import resource
 import shutil
 import subprocess
 import sys
@@ -14,9 +15,10 @@ program, front = sys.argv[1:]
 complaints = []
 
 
-def demand(what, options, code, *texts, command=(program,)):
-    done = subprocess.run([*command, *options], capture_output=True, timeout=120)
-    out = (done.stdout + done.stderr).decode()
+def demand(what, options, code, *texts, command=(program,), **how):
+    how = {"stdout": subprocess.PIPE, **how}
+    done = subprocess.run([*command, *options], stderr=subprocess.PIPE, timeout=120, **how)
+    out = ((done.stdout or b"") + done.stderr).decode()
     good = done.returncode == code and all(text in out for text in texts)
     print(("ok    " if good else "WRONG ") + what)
     if not good:
@@ -31,7 +33,8 @@ demand("a missing value is refused", ["--json"], 2, "--json needs a value")
 demand("a stray argument is refused", ["IU.6-11"], 2, "--filter IU.6-11")
 demand("a filter that selects nothing is refused", ["--filter", "IU.99"], 2, "IU.99")
 demand("a report that cannot be written is refused before the run", ["--json", "/nowhere/at/all.json"], 5, "/nowhere/at/all.json")
-demand("a folder in place of a report too", ["--text", "/"], 5, "is a directory")
+demand("a folder in place of a report too", ["--text", "/tmp"], 5, "etendue-validate: cannot write '/tmp': is a directory\n")
+demand("and a device", ["--text", "/dev/null"], 5, "cannot write '/dev/null': not a regular file")
 demand("--version", ["--version"], 0, "etendue-validate 0.")
 demand("--help ends with sample runs", ["--help"], 0, "Sample runs\n  etendue-validate --claims\n")
 demand("--claims shows the register", ["--claims"], 0, "IU.6-5\t", "A_i F_ij = A_j F_ji", "R9\t")
@@ -44,9 +47,30 @@ with tempfile.TemporaryDirectory() as folder:
     suites = xml.etree.ElementTree.parse(junit_path).getroot()
     if len(claims) < 130 or suites.get("tests") != "1":
         complaints.append("the reports of the real program")
+    # Room runs out: of the three reports that belong together none appears, and the message names the user's path.
+    paths = {kind: os.path.join(folder, "b." + kind) for kind in ("text", "json", "junit")}
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (16384, 16384))
+    demand("a report that outgrows its room leaves nothing half-written",
+           ["--filter", "Evidence.*", *(word for kind, path in paths.items() for word in ("--" + kind, path))], 5,
+           f"etendue-validate: cannot write '{paths['json']}': File too large\n", preexec_fn=limit)
+    if sorted(os.listdir(folder)) != ["a.json", "a.xml"]:
+        complaints.append("files left behind: " + " ".join(os.listdir(folder)))
+lost = "etendue-validate: cannot write to standard output: not all data got through\n"
+for options in (["--version"], ["--help"], ["--claims"], ["--list"], ["--filter", "Evidence.*"],
+                ["--gtest_filter=Evidence.*"]):
+    with open("/dev/full", "wb") as full:
+        demand(f"lost output of {options[0]} is noticed", options, 5, lost, stdout=full)
+with tempfile.TemporaryDirectory() as folder:
+    help_text = subprocess.run([program, "--help"], capture_output=True, check=True).stdout.decode()
+    runs = [line.strip() for line in help_text[help_text.index("Sample runs\n"):].splitlines()[1:]]
+    if len(runs) < 3:
+        complaints.append("too few sample runs")
+    for run in runs:
+        demand(f"the sample run works: {run}", ["-c", run], 0, command=("/bin/sh",), cwd=folder,
+               env={**os.environ, "PATH": os.path.dirname(os.path.abspath(program)) + ":" + os.environ["PATH"]})
 demand("etendue validate hands over", ["--claims"], 0, "IU.6-5\t", command=(front, "validate"))
 demand("and hands back the exit code", ["--jsn"], 2, "did you mean --json?", command=(front, "validate"))
 with tempfile.TemporaryDirectory() as folder:
     lonely = shutil.copy(front, folder)
-    demand("without the program beside it etendue says so", [], 5, "etendue-validate: No such file", command=(lonely, "validate"))
+    demand("without the program beside it etendue says so", [], 5, "etendue-validate': No such file or directory; etendue-validate is not installed", command=(lonely, "validate"))
 sys.exit(1 if complaints else 0)

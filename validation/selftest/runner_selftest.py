@@ -3,6 +3,7 @@
 """Runs the program of misbehaving tests (argument 1) and demands that the runner notices each misbehaviour."""
 import json
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -35,7 +36,8 @@ out = demand_run("good tests pass", ["--filter", "Good.*"], 0, "T.1", "closed fo
                  "1 claims verified, 1 refuted with the mended form verified, 1 open; 1 errata proved")
 lines = {line.split()[0]: line for line in out.splitlines() if line.strip()}
 demand("a yes-or-no claim shows as exact", "exact" in lines["T.2"] and "refuted as printed: E1" in lines["T.2"], out)
-demand("a verified row whose tests were not chosen is 'not run'", "not run" in lines["T.3"], out)
+demand("verified rows whose tests were not chosen are counted, not listed", "T.3" not in lines
+       and "not run: the tests of 1 claim and 0 errata that have a verdict\n" in out, out)
 demand("an open row with a passing test stays open", "open, in part" in lines["T.4"], out)
 
 demand_run("a failing test ends with 1", ["--filter", "Bad.Fails"], 1, "FAILED", "times the tolerance")
@@ -81,5 +83,27 @@ with tempfile.TemporaryDirectory() as folder:
     first = stable(files["json"])
     run("--quiet", *paths)
     demand("a second run reports the same", first == stable(files["json"]))
+
+# The running test interrupts its own program, as the user might at that moment.
+for name, number in (("SIGINT", signal.SIGINT), ("SIGTERM", signal.SIGTERM)):
+    with tempfile.TemporaryDirectory() as folder:
+        files = {kind: os.path.join(folder, "report." + kind) for kind in ("json", "xml", "txt")}
+        os.environ["ETENDUE_SELFTEST_SIGNAL"] = str(int(number))
+        demand_run(f"{name} ends the run after its test, with 6",
+                   ["--json", files["json"], "--junit", files["xml"], "--text", files["txt"]], 6,
+                   "STOPPED: 7 tests were not run, of Good 1, Bad 6", "2 tests passed, 0 failed",
+                   "etendue-validate: stopped; 7 tests were not run\n")
+        del os.environ["ETENDUE_SELFTEST_SIGNAL"]
+        if sorted(os.listdir(folder)) != ["report.json", "report.txt", "report.xml"]:
+            demand("the reports of a stopped run are written, and nothing else", False, os.listdir(folder))
+            continue
+        report = json.load(open(files["json"], encoding="utf-8"))
+        outcomes = [test["outcome"] for test in report["tests"]]
+        demand("the JSON says which tests were not run", report["stopped"] and not report["full_run"]
+               and outcomes == ["passed"] * 2 + ["not run"] * 7 and report["totals"]["tests_not_run"] == 7, outcomes)
+        suites = xml.etree.ElementTree.parse(files["xml"]).getroot()
+        demand("the JUnit file has them as skipped", suites.get("skipped") == "7" and suites.get("failures") == "0"
+               and sum(case.find("skipped") is not None for case in suites.iter("testcase")) == 7)
+        demand("the text counts them", "STOPPED: 7 tests" in open(files["txt"], encoding="utf-8").read())
 
 sys.exit(1 if complaints else 0)

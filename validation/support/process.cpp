@@ -84,13 +84,13 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   }
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
 
-  // A background job ignores interrupts, and its children would: these start as from a terminal.
+  // A background job ignores interrupts, this program a closed pipe and a limit on files, and so would its children:
+  // these start as from a terminal.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t heeded;
   sigemptyset(&heeded);
-  sigaddset(&heeded, SIGINT);
-  sigaddset(&heeded, SIGTERM);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) sigaddset(&heeded, signal);
   posix_spawnattr_setsigdefault(&attributes, &heeded);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
 

@@ -116,6 +116,25 @@ std::optional<Error> bad_chain(const std::vector<Vec3>& vertices, int axis) {
   return std::nullopt;
 }
 
+// Vertices whose signed areas cancel, as a bow tie's do, have no normal of Newell's; but where they lie in a plane, and
+// not on a line, edges must meet: which?
+std::optional<Error> crossing_without_area(const std::vector<Vec3>& vertices, double allowed) {
+  const auto offset = [&](const Vec3& v) -> Vec3 { return v - vertices[0]; };
+  const auto nearer = [&](const Vec3& a, const Vec3& b) { return offset(a).norm() < offset(b).norm(); };
+  const Vec3 along = offset(*std::max_element(vertices.begin(), vertices.end(), nearer));
+  Vec3 across = Vec3::Zero();
+  for (const Vec3& v : vertices) {
+    const Vec3 product = along.cross(offset(v));
+    if (product.norm() > across.norm()) across = product;
+  }
+  if (!(across.norm() > allowed * along.norm())) return std::nullopt;  // on a line
+  const Vec3 normal = across.normalized();
+  for (const Vec3& v : vertices) {
+    if (!(std::abs(normal.dot(offset(v))) <= allowed)) return std::nullopt;
+  }
+  return bad_chain(vertices, dominant_axis(normal));
+}
+
 // Σ_i a_i (v_0 + v_i + v_{i+1}) / 3 over the fan from vertex 0, a_i the signed areas.
 Vec3 area_centroid(const std::vector<Vec3>& vertices, const Vec3& normal) {
   Vec3 moment = Vec3::Zero();
@@ -138,13 +157,14 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   const Vec3 twice_area(rounded(sum.x), rounded(sum.y), rounded(sum.z));
   Polygon polygon;
   polygon.area_ = twice_area.norm() / 2;
+  const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
+    if (auto crossing = crossing_without_area(vertices, allowed)) return *crossing;
     return refusal("area " + text(polygon.area_) + " is zero: it is narrower than the rounding of its coordinates (" +
                    text(extent.coordinate) + ")");
   }
   polygon.normal_ = twice_area.normalized();
   polygon.centroid_ = area_centroid(vertices, polygon.normal_);
-  const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double distance = std::abs(polygon.normal_.dot(vertices[i] - polygon.centroid_));
     if (!(distance <= allowed)) {

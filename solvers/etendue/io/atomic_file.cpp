@@ -6,8 +6,11 @@
 
 #include <atomic>
 #include <cerrno>
-#include <cstring>
+#include <deque>
 #include <system_error>
+#include <utility>
+
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -16,26 +19,30 @@ namespace {
 namespace fs = std::filesystem;
 
 Error failure(const char* verb, const fs::path& path, const std::string& reason) {
-  return {ErrorCode::input_output, std::string("cannot ") + verb + " '" + path.string() + "': " + reason};
+  return {ErrorCode::input_output, std::string("cannot ") + verb + " " + quoted_path(path) + ": " + reason};
 }
 
 std::string reason(int error) {
   return std::generic_category().message(error);
 }
 
-/// ".name.tmp-<process>-<count>.ext": unique among the threads and processes of this machine.
+/// ".etendue-<process>-<count>.tmp": unique among the threads and processes of this machine, and short, so that a name
+/// that is just short enough for the file system stays so.
 fs::path temporary_beside(const fs::path& path) {
   static std::atomic<unsigned> count{0};
-  std::string name = "." + path.stem().string() + ".tmp-" + std::to_string(::getpid()) + "-" + std::to_string(count++);
-  return path.parent_path() / (name + path.extension().string());
+  return path.parent_path() / (".etendue-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp");
 }
 
 /// Removes the temporary file on every way out that has not given it its final name.
 class Temporary {
  public:
+  Temporary() = default;
   explicit Temporary(fs::path path) : path_(std::move(path)) {}
   Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
+  Temporary& operator=(Temporary&& other) noexcept {
+    path_.swap(other.path_);
+    return *this;
+  }
   ~Temporary() {
     std::error_code ignored;  // nothing better can be done on the way out
     if (!path_.empty()) fs::remove(path_, ignored);
@@ -50,9 +57,12 @@ class Temporary {
 /// Closes on every way out; close() tells whether the last bytes got through.
 class Descriptor {
  public:
-  explicit Descriptor(int number) : number_(number) {}
+  explicit Descriptor(int number = -1) : number_(number) {}
   Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
   ~Descriptor() { close(); }
   int number() const { return number_; }
   bool close() {
@@ -64,43 +74,93 @@ class Descriptor {
   int number_;
 };
 
-Result<Done> write_bytes(const fs::path& temporary, const fs::path& path, std::string_view bytes) {
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0) return failure("write", path, reason(errno));
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file.number(), bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failure("write", path, reason(errno));
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  // A full disk may show only here.
-  if (::fsync(file.number()) != 0 && errno != EINVAL && errno != EROFS) return failure("write", path, reason(errno));
-  if (!file.close()) return failure("write", path, reason(errno));
-  return Done{};
+/// What kept a file from being made in this folder.
+std::string why_not_in(const fs::path& folder, int error) {
+  std::error_code ignored;  // then it is not known to be missing
+  const bool missing = error == ENOENT && !folder.empty() && !fs::exists(folder, ignored);
+  return missing ? "there is no folder " + quoted_path(folder) : reason(error);
 }
+
+/// A file under its hidden name, which it loses with this object unless it has got its own.
+class Pending {
+ public:
+  explicit Pending(const fs::path& path) : path_(path) {}
+
+  /// Makes the hidden file, empty.
+  Result<Done> create() {
+    if (path_.filename().empty()) return failure("write", path_, "no file name");
+    std::error_code error;
+    const fs::file_status status = fs::status(path_, error);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      return failure("write", path_, fs::is_directory(status) ? "is a directory" : "not a regular file");
+    }
+    if (status.type() == fs::file_type::none) return failure("write", path_, error.message());  // its name is too long
+    target_ = path_;
+    if (fs::is_symlink(fs::symlink_status(path_, error))) {
+      target_ = fs::weakly_canonical(path_, error);
+      if (error) return failure("write", path_, error.message());
+    }
+    const fs::path hidden = temporary_beside(target_);
+    file_ = Descriptor(::open(hidden.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file_.number() < 0) return failure("write", path_, why_not_in(target_.parent_path(), errno));
+    temporary_ = Temporary(hidden);
+    return Done{};
+  }
+
+  Result<Done> fill(std::string_view bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(file_.number(), bytes.data(), bytes.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return failure("write", path_, reason(errno));
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    // A full disk may show only here.
+    if (::fsync(file_.number()) != 0 && errno != EINVAL && errno != EROFS) {
+      return failure("write", path_, reason(errno));
+    }
+    if (!file_.close()) return failure("write", path_, reason(errno));
+    return Done{};
+  }
+
+  Result<Done> take_name() {
+    std::error_code error;
+    fs::rename(temporary_.path(), target_, error);
+    if (error) return failure("write", path_, error.message());
+    temporary_.keep();
+    return Done{};
+  }
+
+ private:
+  fs::path path_, target_;
+  Temporary temporary_;
+  Descriptor file_;
+};
 
 }  // namespace
 
-Result<Done> write_atomically(const fs::path& path, const std::function<Result<Done>(const fs::path&)>& write) {
-  if (path.filename().empty()) return failure("write", path, "no file name");
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status)) {
-    return failure("write", path, fs::is_directory(status) ? "is a directory" : "not a regular file");
+Result<Done> write_files(const std::vector<NewFile>& files) {
+  std::deque<Pending> pending;
+  for (const NewFile& file : files) {
+    Pending& next = pending.emplace_back(file.path);
+    if (auto created = next.create(); !created) return created;
+    if (auto filled = next.fill(file.bytes); !filled) return filled;
   }
-  // The link stays a link: what it points to is replaced.
-  const fs::path target = fs::is_symlink(fs::symlink_status(path, error)) ? fs::weakly_canonical(path, error) : path;
-  if (error && fs::is_symlink(path)) return failure("write", path, error.message());
-  Temporary temporary(temporary_beside(target));
-  if (auto written = write(temporary.path()); !written) return written.error();
-  fs::rename(temporary.path(), target, error);
-  if (error) return failure("write", path, error.message());
-  temporary.keep();
+  for (Pending& file : pending) {
+    if (auto named = file.take_name(); !named) return named;
+  }
   return Done{};
 }
 
 Result<Done> write_file(const fs::path& path, std::string_view bytes) {
-  return write_atomically(path, [&](const fs::path& temporary) { return write_bytes(temporary, path, bytes); });
+  return write_files({{path, std::string(bytes)}});
+}
+
+Result<Done> check_writable(const std::vector<fs::path>& paths) {
+  for (const fs::path& path : paths) {
+    Pending probe(path);
+    if (auto created = probe.create(); !created) return created;
+  }
+  return Done{};
 }
 
 Result<std::string> read_file(const fs::path& path) {

@@ -2,25 +2,36 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "etendue/core/result.hpp"
 
 namespace etendue {
 
-/// Makes a file that is either complete or absent: `write` fills a temporary file beside `path` (hidden, same
-/// extension, since some writers choose the format by it), which then takes the name `path`, replacing what was there.
-/// When `write` fails or throws, or the name cannot be taken, the temporary file is removed and `path` is as it was.
-///
-/// Errors    input_output "cannot write 'path': reason"; `write`'s own error as it is. A target that is a device, a
-///           pipe or a directory is refused by name, for renaming over it would replace it.
-[[nodiscard]] Result<Done> write_atomically(const std::filesystem::path& path,
-                                            const std::function<Result<Done>(const std::filesystem::path&)>& write);
+/// A file to be.
+struct NewFile {
+  std::filesystem::path path;
+  std::string bytes;
+};
 
-/// write_atomically() of these bytes.
+/// Writes files that belong together. Each is filled under a hidden name beside its path and on the disk before the
+/// first takes its own name, replacing what was there: when one cannot be written, all paths are as they were and
+/// nothing half-written stays. A link stays a link: what it points to is replaced.
+///
+/// Errors    input_output "cannot write 'path': reason", naming the path as given. A target that is a device, a pipe or
+///           a folder is refused, for renaming over it would replace it.
+[[nodiscard]] Result<Done> write_files(const std::vector<NewFile>& files);
+
+/// write_files() of one.
 [[nodiscard]] Result<Done> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Would write_files() to these paths be let? Makes the hidden file beside each, and removes it: to be asked before a
+/// long computation. Only a lack of space can stop the writing later, or who meddles with the folder meanwhile.
+///
+/// Errors    as write_files()
+[[nodiscard]] Result<Done> check_writable(const std::vector<std::filesystem::path>& paths);
 
 /// All bytes of a regular file.
 /// Errors    input_output "cannot read 'path': reason" (missing, a directory, larger than `kLargestFile`)

@@ -7,8 +7,8 @@
 #include <new>
 #include <optional>
 
-#include "etendue/io/atomic_file.hpp"
 #include "etendue/io/image_module.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -36,16 +36,16 @@ std::optional<Format> format_of(const fs::path& path) {
 }
 
 Error failure(const char* verb, const fs::path& path, const std::string& reason) {
-  return {ErrorCode::input_output, std::string("cannot ") + verb + " '" + path.string() + "': " + reason};
+  return {ErrorCode::input_output, std::string("cannot ") + verb + " " + quoted_path(path) + ": " + printable(reason)};
 }
 
 Error unknown_format(const fs::path& path) {
-  return {ErrorCode::usage,
-          "image '" + path.string() + "': found extension '" + path.extension().string() + "', expected .exr or .png"};
+  return {ErrorCode::usage, "image " + quoted_path(path) + ": found extension " + quoted_path(path.extension()) +
+                                ", expected .exr or .png"};
 }
 
 Error unfit(const fs::path& path, const std::string& what) {
-  return {ErrorCode::invalid_input, "image '" + path.string() + "': " + what};
+  return {ErrorCode::invalid_input, "image " + quoted_path(path) + ": " + what};
 }
 
 /// The first pixel that no format can hold, if any: a NaN in a picture is a defect upstream, not a colour.
@@ -114,6 +114,15 @@ void keep_attribute(void* context, const char* name, const char* text) {
   static_cast<Picture*>(context)->metadata.emplace_back(name, text);
 }
 
+bool keep_bytes(void* context, const unsigned char* bytes, unsigned long long count) {
+  try {
+    static_cast<std::string*>(context)->assign(reinterpret_cast<const char*>(bytes), count);
+  } catch (const std::bad_alloc&) {  // must not cross the C interface
+    return false;
+  }
+  return true;
+}
+
 Result<Picture> read_picture(const fs::path& path) {
   const auto format = format_of(path);
   if (!format) return unknown_format(path);
@@ -145,16 +154,17 @@ double srgb_decode(double encoded) {
 
 Result<Done> check_image_path(const fs::path& path) {
   if (!format_of(path)) return unknown_format(path);
-  std::error_code error;
-  if (fs::is_directory(path, error)) return failure("write", path, "is a directory");
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) {
-    return failure("write", path, "'" + folder.string() + "' is not a directory");
-  }
+  if (const auto module = image_module(); !module) return module.error();
   return Done{};
 }
 
 Result<Done> write_image(const fs::path& path, const Image& image, const ImageMetadata& metadata) {
+  const auto file = encode_image(path, image, metadata);
+  if (!file) return file.error();
+  return write_files({*file});
+}
+
+Result<NewFile> encode_image(const fs::path& path, const Image& image, const ImageMetadata& metadata) {
   if (auto fit = check_image_path(path); !fit) return fit.error();
   if (image.columns < 1 || image.rows < 1) return unfit(path, "has no pixels");
   if (const auto pixel = find_unfit_pixel(image)) return unfit(path, *pixel);
@@ -177,14 +187,12 @@ Result<Done> write_image(const fs::path& path, const Image& image, const ImageMe
     texts.push_back(name.c_str());
     texts.push_back(text.c_str());
   }
-  return write_atomically(path, [&](const fs::path& temporary) -> Result<Done> {
-    std::array<char, 400> reason{};
-    const bool written =
-        (*module)->write(temporary.c_str(), reader_name(format), &samples, texts.data(),
-                         static_cast<int>(metadata.size()), reason.data(), static_cast<int>(reason.size()));
-    if (!written) return failure("write", path, reason.data());
-    return Done{};
-  });
+  NewFile file{path, {}};
+  std::array<char, 400> reason{};
+  const bool encoded = (*module)->write(reader_name(format), &samples, texts.data(), static_cast<int>(metadata.size()),
+                                        &file.bytes, keep_bytes, reason.data(), static_cast<int>(reason.size()));
+  if (!encoded) return failure("write", path, reason.data());
+  return file;
 }
 
 Result<Image> read_image(const fs::path& path) {

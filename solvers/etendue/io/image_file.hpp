@@ -8,13 +8,14 @@
 
 #include "etendue/core/result.hpp"
 #include "etendue/image/image.hpp"
+#include "etendue/io/atomic_file.hpp"
 
 namespace etendue {
 
 /// Name and text of what a picture says about itself: version, scene hash, settings.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes a picture, complete or not at all (write_atomically()).
+/// Writes a picture, complete or not at all (write_file()).
 ///
 ///     .exr   linear, 32-bit float, ZIP-compressed; each value rounded to the nearest float; metadata as attributes
 ///     .png   8-bit, sRGB-encoded: round(255 · srgb_encode(v)), v cut to [0, 1]; metadata as text chunks
@@ -25,15 +26,21 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] Result<Done> write_image(const std::filesystem::path& path, const Image& image,
                                        const ImageMetadata& metadata = {});
 
+/// The bytes that write_image() would write to this path, of which only the extension matters: for files that are to
+/// appear together (write_files()).
+[[nodiscard]] Result<NewFile> encode_image(const std::filesystem::path& path, const Image& image,
+                                           const ImageMetadata& metadata = {});
+
+/// Refuses an extension other than .exr and .png, and where the module that holds OpenImageIO is missing: to be asked
+/// before a long computation, as check_writable() is.
+[[nodiscard]] Result<Done> check_image_path(const std::filesystem::path& path);
+
 /// Reads what write_image() wrote, or any other RGB (or grey, or RGBA without its alpha) .exr or .png; a PNG's values
 /// are decoded to linear. The content must be of the kind that the extension says.
 [[nodiscard]] Result<Image> read_image(const std::filesystem::path& path);
 
 /// The metadata of a picture: its text attributes, in the file's order.
 [[nodiscard]] Result<ImageMetadata> read_image_metadata(const std::filesystem::path& path);
-
-/// Refuses what write_image() would refuse by its name alone: to be asked before a long computation.
-[[nodiscard]] Result<Done> check_image_path(const std::filesystem::path& path);
 
 /// sRGB transfer function (IEC 61966-2-1): linear light in [0, 1] to display value in [0, 1], and back.
 [[nodiscard]] double srgb_encode(double linear);

@@ -7,7 +7,7 @@
 #include <limits>
 #include <unordered_set>
 
-#include "etendue/io/utf8.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -327,9 +327,9 @@ std::string describe(const JsonValue& value) {
     case JsonValue::Kind::boolean:
       return value.boolean ? "true" : "false";
     case JsonValue::Kind::number:
-      return shortened(value.text, kLongest);
+      return printable(value.text, kLongest);
     case JsonValue::Kind::string:
-      return "\"" + shortened(value.text, kLongest) + "\"";
+      return "\"" + printable(value.text, kLongest) + "\"";
     case JsonValue::Kind::array:
       return "an array of " + counted(value.items.size(), "item");
     case JsonValue::Kind::object:

@@ -46,7 +46,7 @@ std::optional<Light> read_light(const SceneNode& node, const Placement& placemen
   if (!node.is_object()) return std::nullopt;
   const auto type_node = node.member("type");
   if (!type_node) {
-    node.complain("found no key \"type\", which is mandatory here");
+    node.complain("found no key \"type\", expected one: it is mandatory here");
     return std::nullopt;
   }
   const auto type = type_node->choice(light_types());

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace {
@@ -24,8 +25,8 @@ std::string complaint(const File& file, const char* otherwise) {
   return text.empty() ? otherwise : text;
 }
 
-bool write(const char* path, const char* format, const EtendueSamples* samples, const char* const* metadata, int pairs,
-           char* reason, int size) try {
+bool write(const char* format, const EtendueSamples* samples, const char* const* metadata, int pairs, void* context,
+           EtendueBytes keep, char* reason, int size) try {
   auto file = OIIO::ImageOutput::create(format);
   if (!file) return fail(reason, size, "no writer for " + std::string(format) + ": " + OIIO::geterror());
   const OIIO::TypeDesc type = samples->bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
@@ -33,17 +34,42 @@ bool write(const char* path, const char* format, const EtendueSamples* samples, 
   spec.attribute("oiio:ColorSpace", samples->bytes ? "sRGB" : "Linear");
   if (!samples->bytes) spec.attribute("compression", "zip");
   for (int i = 0; i < pairs; ++i) spec.attribute(metadata[2 * i], metadata[2 * i + 1]);
-  if (!file->open(path, spec)) return fail(reason, size, complaint(file, "cannot be opened"));
+  OIIO::Filesystem::IOVecOutput bytes;
+  if (!file->set_ioproxy(&bytes)) return fail(reason, size, "the writer for " + std::string(format) + " wants a file");
+  if (!file->open("picture", spec)) return fail(reason, size, complaint(file, "cannot be encoded"));
   const void* data = samples->bytes ? static_cast<const void*>(samples->bytes) : samples->linear;
   if (!file->write_image(type, data)) return fail(reason, size, complaint(file, "the pixels were not written"));
   if (!file->close()) return fail(reason, size, complaint(file, "the file could not be completed"));
+  if (!keep(context, bytes.buffer().data(), bytes.buffer().size())) return fail(reason, size, "out of memory");
   return true;
 } catch (const std::exception& failure) {
   return fail(reason, size, failure.what());
 }
 
+/// libpng, asked by OpenImageIO, prints what it complains of besides returning it. Its words go nowhere while one of
+/// these lives: in glibc `stderr` is a variable, and what other threads write by std::cerr is not touched.
+class QuietStderr {
+ public:
+  QuietStderr() : lock_(mutex()), before_(stderr) {
+    static std::FILE* const nowhere = std::fopen("/dev/null", "we");  // never closed: another thread may hold it
+    if (nowhere) stderr = nowhere;
+  }
+  QuietStderr(const QuietStderr&) = delete;
+  QuietStderr& operator=(const QuietStderr&) = delete;
+  ~QuietStderr() { stderr = before_; }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  std::lock_guard<std::mutex> lock_;
+  std::FILE* before_;
+};
+
 bool read(const char* path, const char* format, void* context, EtendueAllocate allocate, EtendueAttribute attribute,
           char* reason, int size) try {
+  const QuietStderr quiet;
   auto file = OIIO::ImageInput::create(format);
   if (!file) return fail(reason, size, "no reader for " + std::string(format) + ": " + OIIO::geterror());
   OIIO::ImageSpec spec;

@@ -19,12 +19,15 @@ struct EtendueSamples {
 using EtendueAllocate = float* (*)(void* context, int columns, int rows, int channels);
 /// Called for each text attribute.
 using EtendueAttribute = void (*)(void* context, const char* name, const char* text);
+/// Called once with all bytes of a file; false if they cannot be kept.
+using EtendueBytes = bool (*)(void* context, const unsigned char* bytes, unsigned long long count);
 
 struct EtendueImageModule {
   int interface_version;  ///< kEtendueImageInterface, or the module belongs to another build
-  /// `metadata` holds 2 · `pairs` texts: name, text, name, text … On failure returns false, the reason in `reason`.
-  bool (*write)(const char* path, const char* format, const EtendueSamples* samples, const char* const* metadata,
-                int pairs, char* reason, int reason_size);
+  /// Encodes in memory, in the format "openexr" or "png". `metadata` holds 2 · `pairs` texts: name, text, name, text …
+  /// On failure returns false, the reason in `reason`.
+  bool (*write)(const char* format, const EtendueSamples* samples, const char* const* metadata, int pairs,
+                void* context, EtendueBytes keep, char* reason, int reason_size);
   /// Opens with the reader of `format` ("openexr" or "png") and no other. Bytes come back as value/255, still encoded.
   bool (*read)(const char* path, const char* format, void* context, EtendueAllocate allocate,
                EtendueAttribute attribute, char* reason, int reason_size);
@@ -34,4 +37,4 @@ struct EtendueImageModule {
 const EtendueImageModule* etendue_image_module();
 }
 
-inline constexpr int kEtendueImageInterface = 1;
+inline constexpr int kEtendueImageInterface = 2;

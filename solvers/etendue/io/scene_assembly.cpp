@@ -89,7 +89,7 @@ class Assembly {
     if (const auto node = top.member("camera")) {
       read_camera(*node);
     } else {
-      top.complain("found no key \"camera\", which is mandatory in the main file");
+      top.complain("found no key \"camera\", expected one: it is mandatory in the main file");
     }
   }
 
@@ -152,7 +152,7 @@ class Assembly {
     if (!node.is_object()) return;
     const auto type_node = node.member("type");
     if (!type_node) {
-      node.complain("found no key \"type\", which is mandatory here");
+      node.complain("found no key \"type\", expected one: it is mandatory here");
       return;
     }
     const auto type = type_node->choice(object_types());

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -110,7 +111,8 @@ class Loader {
       if (!name) continue;
       const fs::path file = (path.parent_path() / *name).lexically_normal();
       if (std::find(open_.begin(), open_.end(), identity(file)) != open_.end()) {
-        node.complain("found '" + file.string() + "', which is being read already, expected includes without a cycle");
+        node.complain("found " + quoted_path(file) +
+                      ", which is being read already, expected includes without a cycle");
         continue;
       }
       if (std::find(known_.begin(), known_.end(), identity(file)) != known_.end()) continue;  // read once

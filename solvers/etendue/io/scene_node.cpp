@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "etendue/io/nearest.hpp"
-#include "etendue/io/utf8.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -32,8 +32,9 @@ std::string quoted(const std::vector<std::string>& words) {
 void SceneErrors::add(std::size_t file, const std::string& name, const JsonProblem& problem) {
   constexpr std::size_t kLongestPointer = 200;
   const std::string place = std::to_string(problem.place.line) + ":" + std::to_string(problem.place.column);
-  const std::string pointer = problem.pointer.empty() ? "" : shortened(problem.pointer, kLongestPointer) + ": ";
-  entries_.push_back({file, problem.place, name + ":" + place + ": " + pointer + problem.message});
+  const std::string pointer = problem.pointer.empty() ? "" : printable(problem.pointer, kLongestPointer) + ": ";
+  entries_.push_back(
+      {file, problem.place, printable(name) + ":" + place + ": " + pointer + printable(problem.message)});
 }
 
 std::string SceneErrors::text() const {
@@ -88,7 +89,7 @@ bool SceneNode::is(const KeySet& keys) const {
   }
   for (const std::string& key : keys.mandatory) {
     if (json_->find(key) || std::find(misspelt.begin(), misspelt.end(), key) != misspelt.end()) continue;
-    complain("found no key \"" + key + "\", which is mandatory here");
+    complain("found no key \"" + key + "\", expected one: it is mandatory here");
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "etendue/core/result.hpp"
 #include "etendue/scene/scene.hpp"
@@ -12,6 +13,7 @@ namespace etendue {
 /// A scene, and the fingerprint of the bytes it was read from.
 struct SceneFile {
   Scene scene;
+  std::vector<std::filesystem::path> files;  ///< all files read: what was asked for and what it includes
   std::string hash;  ///< 16 hex digits: FNV-1a (64 bit) over the bytes of all files read, in reading order
 };
 

@@ -74,7 +74,9 @@ std::optional<Shape> read_polygon(const SceneNode& node, const Placement& placem
   }
   auto polygon = Polygon::make(std::move(*vertices));
   if (!polygon) {
-    member->complain(polygon.error().message);
+    const std::string& why = polygon.error().message;  // "polygon: what is wrong"
+    member->complain("found a polygon that is none: " + why.substr(why.find(' ') + 1) +
+                     "; expected a flat one whose edges do not cross");
     return std::nullopt;
   }
   return Shape(*polygon);

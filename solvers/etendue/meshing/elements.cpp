@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "etendue/text/utf8.hpp"
+
 namespace etendue {
 
 namespace {
@@ -21,7 +23,7 @@ struct Builder {
   std::optional<Error> error;
 
   void refuse(const std::string& what) {
-    if (!error) error = Error{ErrorCode::invalid_input, "object '" + object.name + "' " + what};
+    if (!error) error = Error{ErrorCode::invalid_input, "object '" + printable(object.name) + "' " + what};
   }
 
   std::optional<Polygon> polygon(std::vector<Vec3> vertices) {

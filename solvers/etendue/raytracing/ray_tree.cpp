@@ -8,6 +8,7 @@
 #include "etendue/geometry/spawn.hpp"
 #include "etendue/optics/reflect.hpp"
 #include "etendue/optics/refract.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -73,7 +74,7 @@ class TreeBuilder {
 
 std::string object_label(const Scene& scene, std::size_t object) {
   const std::string& name = scene.objects[object].name;
-  return name.empty() ? "object " + std::to_string(object) : name;
+  return name.empty() ? "object " + std::to_string(object) : printable(name);
 }
 
 std::string fate(const RayNode& node, const Scene& scene) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "etendue/io/utf8.hpp"
+#include "etendue/text/utf8.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -46,6 +46,40 @@ TEST(Utf8, AcceptsExactlyWhatIsWellFormed) {
   }
   EXPECT_TRUE(all_agree(wrong, decided));
   EXPECT_GT(accepted, 100u);
+}
+
+// CLAIM      printable leaves what can be seen and shows the rest as escapes: controls, line separators, marks that turn
+//            the direction of writing, bytes that are not UTF-8. What is printable is not changed again.
+// ORACLE     exact: pairs written by hand.
+// TOLERANCE  none.
+TEST(Utf8, ShowsWhatCannotBeSeen) {
+  proves({}, Oracle::exact, "pairs written by hand");
+  struct Pair {
+    std::string text, shown;
+  };
+  const std::vector<Pair> all{
+      {"", ""},
+      {"plain, é, étendue, 光, \U0001F308", "plain, é, étendue, 光, \U0001F308"},
+      {"a\\b", "a\\b"},
+      {"a\nb\tc\rd", "a\\nb\\tc\\x0dd"},
+      {"\x1b[31m\x7f", "\\x1b[31m\\x7f"},
+      {std::string("\0", 1), "\\x00"},
+      {"\xC2\x80\xC2\x9F\xC2\xA0", "\\u0080\\u009f\xC2\xA0"},
+      {"\u200e\u2028\u202e\u202f", "\\u200e\\u2028\\u202e\u202f"},
+      {"\u2065\u2066\u2069\ufeff", "\u2065\\u2066\\u2069\\ufeff"},
+      {"\xff\xC2", "\\xff\\xc2"},
+      {"\xE2\x80", "\\xe2\\x80"},
+  };
+  std::uint64_t wrong = 0;
+  for (const Pair& pair : all) {
+    EXPECT_EQ(printable(pair.text), pair.shown);
+    wrong += printable(pair.text) != pair.shown || printable(pair.shown) != pair.shown;
+  }
+  EXPECT_EQ(printable("éé\n1", 3), "éé\\n…");
+  EXPECT_EQ(printable("éé1", 3), "éé1");
+  EXPECT_EQ(printable_lines("a\x1b\nb\n"), "a\\x1b\nb\n");
+  EXPECT_EQ(quoted_path("a\nb"), "'a\\nb'");
+  EXPECT_TRUE(all_agree(wrong + (::testing::Test::HasFailure() ? 1 : 0), all.size()));
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "outputs.hpp"
+
+#include <ostream>
+
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/text/utf8.hpp"
+
+namespace etendue::cli {
+
+namespace fs = std::filesystem;
+
+fs::path output_stem(const fs::path& output, const fs::path& scene) {
+  if (!output.empty()) return fs::path(output).replace_extension();
+  const fs::path name = scene.stem();
+  if (name != "scene") return name;
+  std::error_code error;
+  const fs::path folder =
+      fs::weakly_canonical(scene.parent_path().empty() ? "." : scene.parent_path(), error).filename();
+  return error || folder.empty() ? name : folder;
+}
+
+Result<Done> check_outputs(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  for (const fs::path& output : outputs) {
+    for (const fs::path& input : inputs) {
+      std::error_code absent;  // what does not exist is no input
+      if (!fs::equivalent(output, input, absent)) continue;
+      return Error{ErrorCode::usage, quoted_path(output) + " is a file of the scene and would be replaced; name " +
+                                         "another by --output"};
+    }
+  }
+  return check_writable(outputs);
+}
+
+int fail(std::ostream& err, const std::string& command, const Error& error) {
+  err << "etendue " << command << ": " << printable_lines(error.message) << '\n';
+  return static_cast<int>(error.code);
+}
+
+}  // namespace etendue::cli

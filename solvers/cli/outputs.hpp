@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "etendue/core/result.hpp"
+
+namespace etendue::cli {
+
+/// Path and name, without extension, of what a command makes from a scene: those of --output; without it, in the
+/// current folder, the scene's name, or, for a scene.json, that of its folder.
+[[nodiscard]] std::filesystem::path output_stem(const std::filesystem::path& output,
+                                                const std::filesystem::path& scene);
+
+/// To be asked before a long computation, of all files that it may write: can each be written, and is none of them a
+/// file that the scene was read from?
+///
+/// Errors    usage: it would replace one of `inputs`. input_output: "cannot write 'path': reason".
+[[nodiscard]] Result<Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
+                                         const std::vector<std::filesystem::path>& inputs);
+
+/// Prints "etendue command: message", whatever it holds as printable text, and returns the exit code.
+int fail(std::ostream& err, const std::string& command, const Error& error);
+
+}  // namespace etendue::cli

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ray_tree_output.hpp"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "etendue/core/version.hpp"
+
+namespace etendue::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* word(RayKind kind) {
+  return kind == RayKind::eye ? "eye" : kind == RayKind::reflected ? "reflected" : "transmitted";
+}
+
+const char* word(RayEnd end) {
+  switch (end) {
+    case RayEnd::surface:
+      return "surface";
+    case RayEnd::left_scene:
+      return "left scene";
+    case RayEnd::depth_limit:
+      return "depth limit";
+    case RayEnd::below_cutoff:
+      return "below cutoff";
+  }
+  return "unknown";
+}
+
+Json triple(const Vec3& v) {
+  return Json::array({v.x(), v.y(), v.z()});
+}
+
+}  // namespace
+
+std::optional<Pixel> read_pixel(const std::string& text, const Camera& camera) {
+  int column = 0, row = 0;
+  const char* const end = text.data() + text.size();
+  const auto [comma, first] = std::from_chars(text.data(), end, column);
+  if (first != std::errc{} || comma == end || *comma != ',') return std::nullopt;
+  const auto [rest, second] = std::from_chars(comma + 1, end, row);
+  if (second != std::errc{} || rest != end) return std::nullopt;
+  if (column < 0 || column >= camera.columns || row < 0 || row >= camera.rows) return std::nullopt;
+  return Pixel{column, row};
+}
+
+std::string ray_tree_json(const RayTree& tree, const SceneFile& file, const Pixel& pixel, const TreeLimits& limits) {
+  Json report;
+  report["program"] = std::string("etendue ") + version();
+  report["scene"] = {{"file", file.files.back().string()}, {"name", file.scene.name}, {"hash", file.hash}};
+  report["pixel"] = {pixel.column, pixel.row};
+  report["settings"] = {{"depth", limits.depth}, {"cutoff", limits.cutoff}};
+  report["rays"] = Json::array();
+  const auto names = ray_names(tree);
+  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+    const RayNode& node = tree.nodes[i];
+    Json ray{{"name", names[i]},
+             {"kind", word(node.kind)},
+             {"level", node.level},
+             {"parent", node.parent == RayNode::kNone ? Json(nullptr) : Json(node.parent)},
+             {"coefficient", node.coefficient},
+             {"weight", node.weight},
+             {"origin", triple(node.ray.origin)},
+             {"direction", triple(node.ray.direction)},
+             {"end", word(node.end)}};
+    if (node.end == RayEnd::surface) {
+      ray["object"] = {{"index", node.hit->object}, {"name", file.scene.objects[node.hit->object].name}};
+      ray["point"] = triple(node.hit->hit.point);
+    }
+    report["rays"].push_back(std::move(ray));
+  }
+  report["tests"] = {{"surfaces", tree.tests.surfaces}, {"boxes", tree.tests.volumes}};
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "io/example_scene.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+/// The scene of docs/scene-format.md with one thing changed.
+std::string with(const std::string& original, const std::string& instead) {
+  std::string text = example_scene();
+  return text.replace(text.find(original), original.size(), instead);
+}
+
+/// May a terminal show it as it is? Printable characters and line ends only.
+bool is_harmless(const std::string& text) {
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte != '\n' && (byte < 0x20 || byte == 0x7F)) return false;
+  }
+  return text.find("\xC2\x9B") == std::string::npos && text.find("\xE2\x80\xAE") == std::string::npos;
+}
+
+// CLAIM      All errors of a scene are reported, with file, line, column, JSON pointer, what was found and what is
+//            expected, in the order of their places; an unknown key with the nearest known one.
+// ORACLE     exact: seven errors in two files, placed by hand.
+// TOLERANCE  none.
+TEST(Program, ReportsAllErrorsOfAScene) {
+  proves({}, Oracle::exact, "seven errors in two files, placed by hand");
+  const TemporaryFolder folder;
+  folder.add("part.json",
+             "{\"format\": \"etendue-scene\", \"version\": 1, \"unit\": \"cm\",\n"
+             "\"materials\": {\"clay\": {\"k_d\": 2}}}");
+  const auto scene =
+      folder.add("scene.json",
+                 "{\"format\": \"etendue-scene\", \"version\": 1, \"unit\": \"ell\", \"include\": [\"part.json\"],\n"
+                 "\"camera\": {\"eye\": [0, 0], \"gaze\": [0, 1, 0], \"up\": [0, 0, 1], \"horizontal_fov_deg\": 45},\n"
+                 "\"objects\": [{\"type\": \"sphere\", \"material\": \"caly\", \"centre\": [0, 9, 0], \"raduis\": 1},\n"
+                 "            {\"type\": \"polygon\", \"material\": \"clay\",\n"
+                 "             \"vertices\": [[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]]}]}");
+  const std::string main = scene.string() + ":", part = (folder.path() / "part.json").string() + ":";
+  const std::string expected =
+      main + "1:51: /unit: found \"ell\", expected one of \"m\", \"cm\", \"mm\", \"um\", \"km\", \"ft\" or \"in\"\n" +
+      main + "2:11: /camera: found no key \"resolution\", expected one: it is mandatory here\n" + main +
+      "2:19: /camera/eye: found an array of 2 items, expected an array of 3 numbers\n" + main +
+      "3:44: /objects/0/material: found \"caly\", expected a material of this scene; did you mean 'clay'?\n" + main +
+      "3:73: /objects/0/raduis: found an unknown key, expected a known one; did you mean 'radius'?\n" + main +
+      "5:26: /objects/1/vertices: found a polygon that is none: edges 0-1 (0, 0, 0) to (1, 1, 0) and 2-3 (1, 0, 0) to "
+      "(0, 1, 0) cross or touch; expected a flat one whose edges do not cross\n" +
+      part + "2:31: /materials/clay/k_d: found 2, expected a number in [0, 1]\n7 errors\n";
+  for (const std::string command : {"render", "solve"}) {
+    const Ended ended = run_etendue({command, scene.string()});
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(ended.err, "etendue " + command + ": " + expected);
+    EXPECT_EQ(folder.contents(), "part.json scene.json");
+  }
+  EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 8));
+}
+
+// CLAIM      Nothing in a scene file, its name or the command line can command the terminal or feign another line: no
+//            control character of theirs reaches a stream.
+// ORACLE     exact: escape sequences planted in names, texts, keys, file names and arguments.
+// TOLERANCE  none.
+TEST(Program, PrintsNothingThatCommandsATerminal) {
+  proves({}, Oracle::exact, "escape sequences planted everywhere");
+  const std::string json = R"(\u001b[2J\u009b1m\u202e\n\r\u0007)";  // in a JSON text
+  const std::string raw = "\x1b[2J\n\r\xC2\x9B";                    // in a name of a file
+  const std::string wall = R"({"type": "plane", "material": "wall",)";
+  const TemporaryFolder folder;
+  const std::string named = folder.add("named.json", with(wall, wall + R"( "name": ")" + json + R"(",)")).string();
+  const std::vector<std::vector<std::string>> all{
+      {"render", named, "--columns=4", "--output", (folder.path() / "a.png").string()},
+      {"render", named, "--ray-tree=160,200", "--depth=1"},
+      {"solve", named},
+      {"solve", folder.add("a.json", with("\"unit\": \"cm\"", "\"unit\": \"" + json + "\"")).string()},
+      {"solve", folder.add("b.json", with("\"ambient\"", "\"" + json + "\"")).string()},
+      {"solve", folder.add("c.json", with("\"material\": \"glass\"", "\"material\": \"" + json + "\"")).string()},
+      {"solve", folder.add("d.json", with("{\n", "{\"include\": [\"" + json + "\"],\n")).string()},
+      {"solve", folder.add(raw + ".json", "{").string()},
+      {"solve", folder.path() / raw},
+      {"solve", named, "--output", (folder.path() / raw / "a.png").string()},
+      {"solve", named, "--output", "a." + raw},
+      {"solve", named, "--" + raw},
+      {"render", named, "--ray-tree=" + raw},
+      {"render", named, "--ray-tree=0,0", "--output", raw},
+      {raw},
+      {"--" + raw},
+      {"--version", raw},
+  };
+  std::uint64_t wrong = 0, silent = 0;
+  for (const auto& arguments : all) {
+    const Ended ended = run_etendue(arguments);
+    const std::string said = ended.out + ended.err;
+    if (said.find("\\x1b[2J") == std::string::npos && &arguments != &all[0]) {
+      ++silent;
+      ADD_FAILURE() << "does not show the text at all:\n" << said;
+    }
+    if (is_harmless(said)) continue;
+    ++wrong;
+    ADD_FAILURE() << "after etendue " << arguments.front() << " " << arguments.back() << "\n" << said;
+  }
+  EXPECT_TRUE(all_agree(wrong + silent, 2 * all.size()));
+}
+
+}  // namespace
+}  // namespace etendue::validation
