@@ -23,12 +23,15 @@ struct Quadrilateral {
 struct Shape {
   std::array<double, 2> half_edge{};  ///< largest |∂x/∂s|, |∂x/∂t|
   double jacobians = 0;               ///< sum of the largest |∂x/∂s × ∂x/∂t|
+  double products = 0;  ///< sum of the largest |∂x/∂s| |∂x/∂t|: what the Jacobians' rounding is a share of
 };
 
 void include(const Quadrilateral& q, Shape& shape) {
   const auto& c = q.corners;
-  shape.half_edge[0] = std::max({shape.half_edge[0], 0.5 * (c[1] - c[0]).norm(), 0.5 * (c[2] - c[3]).norm()});
-  shape.half_edge[1] = std::max({shape.half_edge[1], 0.5 * (c[3] - c[0]).norm(), 0.5 * (c[2] - c[1]).norm()});
+  const double along_s = 0.5 * std::max((c[1] - c[0]).norm(), (c[2] - c[3]).norm());
+  const double along_t = 0.5 * std::max((c[3] - c[0]).norm(), (c[2] - c[1]).norm());
+  shape.half_edge = {std::max(shape.half_edge[0], along_s), std::max(shape.half_edge[1], along_t)};
+  shape.products += along_s * along_t;
   double jacobian = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     jacobian = std::max(jacobian, 0.25 * (c[(i + 1) % 4] - c[i]).cross(c[(i + 3) % 4] - c[i]).norm());
@@ -37,13 +40,11 @@ void include(const Quadrilateral& q, Shape& shape) {
 }
 
 /// A fan around the first vertex, two triangles at a time.
-std::vector<Quadrilateral> quadrilaterals(const std::vector<Vec3>& v) {
-  std::vector<Quadrilateral> result;
+void append_quadrilaterals(const std::vector<Vec3>& v, std::vector<Quadrilateral>& result) {
   for (std::size_t i = 1; i + 1 < v.size(); i += 2) {
     const Vec3& last = i + 2 < v.size() ? v[i + 2] : v[0];
     result.push_back({{v[0], v[i], v[i + 1], last}});
   }
-  return result;
 }
 
 /// A node on the bilinear surface, and the piece of surface it stands for: the flux through any surface with the same
@@ -125,25 +126,29 @@ double tilt(const Loop& loop, double extent) {
 
 }  // namespace
 
-std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, const Vec3& offset, double goal,
-                                         double budget) {
-  const double radius_1 = radius(first.vertices), radius_2 = radius(second.vertices);
-  Separation apart{least_distance(first, second, offset), 0, 0};
+std::optional<QuadratureSum> double_area(std::span<const Loop> first, std::span<const Loop> second, const Vec3& offset,
+                                         double goal, double budget) {
+  // Holes lie inside the outlines: distances, heights and radii are theirs.
+  const Loop &outline_1 = first.front(), &outline_2 = second.front();
+  const double radius_1 = radius(outline_1.vertices), radius_2 = radius(outline_2.vertices);
+  Separation apart{least_distance(outline_1, outline_2, offset), 0, 0};
   if (!(apart.gap > 0)) return std::nullopt;
-  const Vec3 base = offset + (second.vertices.front() - first.vertices.front());
   double reach = 0;
-  for (const Vec3& v : second.vertices) {
-    const Vec3 r = base + (v - second.vertices.front());
-    apart.height_1 = std::max(apart.height_1, std::abs(r.dot(first.normal)));
+  for (const Vec3& v : outline_2.vertices) {
+    const Vec3 r = offset + v - outline_1.vertices.front();
+    apart.height_1 = std::max(apart.height_1, std::abs(r.dot(outline_1.normal)));
     reach = std::max(reach, r.norm());
   }
-  for (const Vec3& v : first.vertices) {
-    apart.height_2 = std::max(apart.height_2, std::abs((base - (v - first.vertices.front())).dot(second.normal)));
+  for (const Vec3& v : outline_1.vertices) {
+    apart.height_2 =
+        std::max(apart.height_2, std::abs((offset + outline_2.vertices.front() - v).dot(outline_2.normal)));
   }
   // Vertices off the plane tilt the surface by about flatness · extent / area.
-  apart.height_1 += tilt(first, radius_1) * reach;
-  apart.height_2 += tilt(second, radius_2) * reach;
-  const auto from = quadrilaterals(first.vertices), to = quadrilaterals(second.vertices);
+  apart.height_1 += tilt(outline_1, radius_1) * reach;
+  apart.height_2 += tilt(outline_2, radius_2) * reach;
+  std::vector<Quadrilateral> from, to;
+  for (const Loop& loop : first) append_quadrilaterals(loop.vertices, from);
+  for (const Loop& loop : second) append_quadrilaterals(loop.vertices, to);
   std::array<Shape, 2> shapes;
   for (const auto& q : from) include(q, shapes[0]);
   for (const auto& q : to) include(q, shapes[1]);
@@ -156,10 +161,7 @@ std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, 
   std::vector<SurfacePoint> points_1, points_2;
   for (const auto& q : from) append_points(q, chosen->nodes[0], points_1);
   for (const auto& q : to) append_points(q, chosen->nodes[1], points_2);
-  double mass_1 = 0, mass_2 = 0;
-  for (const auto& b : points_2) mass_2 += b.area.norm();
   for (const auto& a : points_1) {
-    mass_1 += a.area.norm();
     double inner = 0;
     const Vec3 start = offset - a.point;
     for (const auto& b : points_2) {
@@ -169,10 +171,15 @@ std::optional<QuadratureSum> double_area(const Loop& first, const Loop& second, 
     }
     sum.value += 2 * inner;
   }
-  constexpr double kKernelRoundings = 24;  // counted in NOTES.md §4
-  const double kernel = (apart.height_1 + apart.height_2) * (reach + radius_1) / std::pow(apart.gap, 4);
-  sum.rounding = 2 * kKernelRoundings * kUnitRoundoff * mass_1 * mass_2 *
-                 (apart.height_1 * apart.height_2 / std::pow(apart.gap, 4) + kernel);
+  constexpr double kDot = 12, kFourthPower = 16, kOwn = 4;  // counted in NOTES.md §4
+  constexpr double kWeights = 16;                           // the rules' weights sum up to 2 in each of four variables
+  const double span = reach + radius_1 + radius_2, fourth = std::pow(apart.gap, 4);
+  const double heights = apart.height_1 * apart.height_2;
+  const double kernel =
+      heights * (kOwn + kFourthPower * span / apart.gap) + kDot * (apart.height_1 + apart.height_2) * span;
+  const auto terms = static_cast<double>(points_1.size() + points_2.size());
+  sum.rounding =
+      2 * kWeights * kUnitRoundoff * shapes[0].products * shapes[1].products * (kernel + terms * heights) / fourth;
   return sum;
 }
 

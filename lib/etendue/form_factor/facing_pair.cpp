@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/sharp_plane.hpp"
+#include "etendue/form_factor/triple.hpp"
 
 namespace etendue {
 
@@ -28,21 +30,35 @@ double perimeter(const std::vector<Vec3>& v) {
 /// Up to this share of size and distance, the rounding of coordinates, a vertex counts as on the other's plane where
 /// the two turn the same way: patches of one wall do not see one another by their rounding.
 constexpr double kTouching = 16 * kUnitRoundoff;
+/// A cut is made in twice the digits: a share, its product with the edge, the sum, the difference of two heights.
+constexpr double kCutError = 0x1p-90;
+constexpr double kPi = std::numbers::pi;
 /// Error of the sine and the cosine of two unit normals in double.
 constexpr double kAngleError = 16 * kUnitRoundoff;
 
-/// One polygon of the pair: scaled where it stands, for the decisions, and around its first vertex, for the integrals.
+/// One region of the pair, scaled where it stands.
 struct Placed {
-  std::vector<Vec3> vertices;
+  Boundary loops;
   SharpPlane plane;
-  Loop loop;
+  double flatness = 0;
+  double area = 0;
+  double outline = 0;  ///< length of the whole boundary
 };
 
-Placed placed(const Polygon& polygon, double scale) {
-  std::vector<Vec3> vertices = localised(polygon.vertices(), Vec3::Zero(), scale);
-  SharpPlane plane(vertices);
-  Loop loop = make_loop(localised(polygon.vertices(), polygon.vertices().front(), scale));
-  return {std::move(vertices), std::move(plane), std::move(loop)};
+Placed placed(const Boundary& boundary, double scale) {
+  Boundary loops;
+  for (const auto& loop : boundary) loops.push_back(localised(loop, Vec3::Zero(), scale));
+  SharpPlane plane(loops.front());
+  Placed region{std::move(loops), std::move(plane), 0, 0, 0};
+  region.flatness = region.plane.flatness();
+  region.area = region.plane.area();
+  for (std::size_t i = 0; i < region.loops.size(); ++i) {
+    region.outline += perimeter(region.loops[i]);
+    if (i == 0) continue;
+    for (const Vec3& v : region.loops[i]) region.flatness = std::max(region.flatness, std::abs(region.plane.height(v)));
+    region.area -= SharpPlane(region.loops[i]).area();
+  }
+  return region;
 }
 
 /// True where `b` is `a` run the other way round, vertex for vertex: the two sides of one surface.
@@ -56,57 +72,137 @@ bool is_reverse(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return false;
 }
 
+bool is_corner(const Vec3& v, const Boundary& loops) {
+  for (const auto& loop : loops) {
+    for (const Vec3& corner : loop) {
+      if (corner == v) return true;
+    }
+  }
+  return false;
+}
+
+/// How the two planes lie to one another, and a lower bound on the regions' distance.
+struct Sight {
+  double sine, cosine, gap;
+};
+
 struct Cut {
-  std::vector<Vec3> vertices;
+  std::vector<Chain> chains;  ///< empty where nothing is in front
   bool clipped = false;
   double moved = 0;
 };
 
-/// What of `cut` lies in front of the plane of `by`; `moved` is derived in NOTES.md §7.
-Cut cut_behind(const Placed& cut, const Placed& by, double sine) {
-  const double cosine = cut.loop.normal.dot(by.loop.normal);
-  const double unflat = cut.plane.flatness() + by.plane.flatness();
-  std::vector<double> heights;
-  double off = 0, sharp = 0, lowest = 0, highest = 0;
-  for (const Vec3& v : cut.vertices) {
-    double height = by.plane.height(v);
-    lowest = heights.empty() ? height : std::min(lowest, height);
-    highest = heights.empty() ? height : std::max(highest, height);
-    sharp = std::max(sharp, by.plane.error(v));
-    const double touching = by.plane.flatness() + kTouching * (1 + (v - by.vertices.front()).norm());
-    if (cosine >= 0 && std::abs(height) <= touching) {
-      off = std::max(off, std::abs(height));
-      height = 0;
-    }
-    heights.push_back(height);
-  }
-  const bool in_front = *std::max_element(heights.begin(), heights.end()) > 0;
-  const bool behind = *std::min_element(heights.begin(), heights.end()) < 0;
-  const double most = std::min(cut.loop.area, by.loop.area), outline = perimeter(cut.loop.vertices);
-  if (!in_front) {
-    if (highest + unflat <= 0 || is_reverse(cut.vertices, by.vertices)) return {};
-    // (1 − cos)/sin: what every point of a sliver hands over, by its width.
-    const double share = cosine >= 0 ? (sine + kAngleError) / (1 + cosine) : 2 / sine;
-    return {{}, false, std::min(most, (off + unflat) * share * outline)};
-  }
-  if (!behind) return {cut.loop.vertices, false, off > 0 && lowest < 0 ? std::min(most, off / sine * outline) : 0};
-  constexpr int kCutRoundings = 8;  // the share, its product with the edge, the sum: along the edge only
-  const double rounding = kCutRoundings * kUnitRoundoff * outline;
-  const double width = (off + unflat + sharp) / sine + rounding;
-  return {clip(cut.loop.vertices, heights), true, std::min(most, width * outline)};
+DoubleDouble3 exact(const Vec3& v, const Vec3& origin) {
+  return exact_difference(v, origin);
 }
 
-/// Replaces the loop's vertices, keeps its plane.
-void replace(Loop& loop, Cut cut) {
-  if (cut.vertices.empty()) {
-    loop.vertices.clear();
-    return;
+Chain whole(const std::vector<Vec3>& loop, const Vec3& origin) {
+  Chain chain;
+  chain.reserve(loop.size());
+  for (const Vec3& v : loop) chain.push_back(exact(v, origin));
+  return chain;
+}
+
+/// What of the loop has a height that is not negative (Sutherland and Hodgman 1974).
+Chain clipped(const std::vector<Vec3>& loop, const std::vector<DoubleDouble>& heights, const Vec3& origin) {
+  Chain kept;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::size_t next = (i + 1) % loop.size();
+    const DoubleDouble &here = heights[i], &there = heights[next];
+    const DoubleDouble3 v = exact(loop[i], origin);
+    if (here.high >= 0) kept.push_back(v);
+    if ((here.high > 0 && there.high < 0) || (here.high < 0 && there.high > 0)) {
+      const DoubleDouble share = here / (here - there);
+      const DoubleDouble3 edge = exact(loop[next], loop[i]);
+      kept.push_back({v.x + share * edge.x, v.y + share * edge.y, v.z + share * edge.z});
+    }
   }
-  if (!cut.clipped) return;
-  Loop remains = make_loop(std::move(cut.vertices));
-  remains.normal = loop.normal;
-  remains.flatness = loop.flatness;
-  loop = std::move(remains);
+  if (kept.size() < 3) kept.clear();
+  return kept;
+}
+
+/// What of `cut` lies in front of the plane of `by`, around `origin`; `moved` is derived in NOTES.md §7.
+Cut cut_behind(const Placed& cut, const Placed& by, const Sight& sight, const Vec3& origin) {
+  const double cosine = sight.cosine, sine = sight.sine;
+  const double unflat = cut.flatness + by.flatness;
+  std::vector<std::vector<DoubleDouble>> heights;
+  double off = 0, sharp = 0, lowest = 0, highest = 0;
+  bool in_front = false, behind = false, first = true;
+  for (const auto& loop : cut.loops) {
+    heights.emplace_back();
+    for (const Vec3& v : loop) {
+      // A corner of the other's outline lies on every surface with that outline.
+      DoubleDouble height = is_corner(v, by.loops) ? DoubleDouble(0) : by.plane.wide_height(v);
+      lowest = first ? height.high : std::min(lowest, height.high);
+      highest = first ? height.high : std::max(highest, height.high);
+      first = false;
+      sharp = std::max(sharp, by.plane.error(v));
+      const double touching = by.flatness + kTouching * (1 + (v - by.loops[0].front()).norm());
+      if (cosine >= 0 && std::abs(height.high) <= touching) {
+        off = std::max(off, std::abs(height.high));
+        height = 0;
+      }
+      in_front = in_front || height.high > 0;
+      behind = behind || height.high < 0;
+      heights.back().push_back(height);
+    }
+  }
+  const double most = std::min(cut.area, by.area), outline = cut.outline;
+  const auto moved = [&](double height, double rounding) {
+    // What the line of the cut sweeps, and what every point of it hands over.
+    if (height + rounding == 0) return 0.0;
+    const double swept = std::min(cut.area, (height / sine + rounding) * outline);
+    const double grazing = sight.gap > 0 ? 2 * (height + rounding) * by.area / (kPi * std::pow(sight.gap, 3)) : 1;
+    const double beyond = cosine >= 0 ? 0.5 * (sine + kAngleError) * (sine + kAngleError) / (1 + cosine) : 1;
+    return std::min(most, swept * std::min({1.0, grazing, beyond}));
+  };
+  if (!in_front) {
+    if (highest + unflat <= 0 || is_reverse(cut.loops[0], by.loops[0])) return {};
+    return {{}, false, moved(off + unflat, 0)};
+  }
+  Cut result;
+  result.clipped = behind;
+  for (std::size_t i = 0; i < cut.loops.size(); ++i) {
+    Chain chain = behind ? clipped(cut.loops[i], heights[i], origin) : whole(cut.loops[i], origin);
+    if (!chain.empty()) result.chains.push_back(std::move(chain));
+  }
+  if (behind) {
+    result.moved = moved(off + unflat + sharp, kCutError * outline);
+  } else if (off > 0 && lowest < 0) {
+    result.moved = moved(off, 0);
+  }
+  return result;
+}
+
+/// A lower bound on the distance of the two regions: one of them may lie wholly off the other's plane.
+double gap_between(const Placed& a, const Placed& b) {
+  const auto off = [](const Placed& plane, const Placed& region) {
+    double least = 0;
+    for (std::size_t i = 0; i < region.loops[0].size(); ++i) {
+      const Vec3& v = region.loops[0][i];
+      const double height = plane.plane.height(v) - plane.plane.error(v) - plane.flatness - region.flatness;
+      least = i == 0 ? height : std::min(least, height);
+    }
+    return least * (1 - 4 * kUnitRoundoff);
+  };
+  return std::max({0.0, off(a, b), off(b, a)});
+}
+
+/// The loops of the area rule: around the region's own first vertex, with the whole region's plane.
+std::vector<Loop> loops_of(const std::vector<Chain>& chains, const DoubleDouble3& origin, const Placed& whole) {
+  std::vector<Loop> loops;
+  for (const Chain& chain : chains) {
+    std::vector<Vec3> vertices;
+    vertices.reserve(chain.size());
+    for (const DoubleDouble3& v : chain) {
+      vertices.push_back({rounded(v.x - origin.x), rounded(v.y - origin.y), rounded(v.z - origin.z)});
+    }
+    Loop loop = make_loop(std::move(vertices));
+    loop.normal = whole.plane.normal();
+    loop.flatness = std::max(loop.flatness, whole.flatness);
+    loops.push_back(std::move(loop));
+  }
+  return loops;
 }
 
 }  // namespace
@@ -118,28 +214,43 @@ std::vector<Vec3> localised(const std::vector<Vec3>& vertices, const Vec3& origi
   return result;
 }
 
-FacingPair facing_pair(const Polygon& from, const Polygon& to) {
-  const Vec3& a = from.vertices().front();
-  const Vec3& b = to.vertices().front();
-  const double size = std::max({extent(from.vertices()), extent(to.vertices()), (b - a).cwiseAbs().maxCoeff()});
-  FacingPair pair;
+FacingRegions facing_regions(const Boundary& from, const Boundary& to) {
+  const Vec3& a = from.front().front();
+  const Vec3& b = to.front().front();
+  const double size = std::max({extent(from.front()), extent(to.front()), (b - a).cwiseAbs().maxCoeff()});
+  FacingRegions pair;
   pair.scale = std::ldexp(1.0, -std::ilogb(size));
-  Placed from_placed = placed(from, pair.scale), to_placed = placed(to, pair.scale);
-  const double sine = least_sine(from_placed.plane, to_placed.plane);
-  Cut to_remains = cut_behind(to_placed, from_placed, sine);
-  Cut from_remains = cut_behind(from_placed, to_placed, sine);
-  pair.from = std::move(from_placed.loop);
-  pair.to = std::move(to_placed.loop);
-  pair.offset = pair.scale * (b - a);
-  pair.from_area = pair.from.area;
+  const Placed from_placed = placed(from, pair.scale), to_placed = placed(to, pair.scale);
+  const Sight sight{least_sine(from_placed.plane, to_placed.plane),
+                    from_placed.plane.normal().dot(to_placed.plane.normal()), gap_between(from_placed, to_placed)};
+  const Vec3 origin = pair.scale * a;
+  Cut to_remains = cut_behind(to_placed, from_placed, sight, origin);
+  Cut from_remains = cut_behind(from_placed, to_placed, sight, origin);
+  pair.from_area = from_placed.area;
   pair.moved = to_remains.moved + from_remains.moved;
-  if (to_remains.vertices.empty() || from_remains.vertices.empty()) {
+  if (to_remains.chains.empty() || from_remains.chains.empty()) {
     // Either cut alone decides that nothing is seen: the surer one counts.
-    pair.moved = std::min(to_remains.vertices.empty() ? to_remains.moved : pair.moved,
-                          from_remains.vertices.empty() ? from_remains.moved : pair.moved);
+    pair.moved = std::min(to_remains.chains.empty() ? to_remains.moved : pair.moved,
+                          from_remains.chains.empty() ? from_remains.moved : pair.moved);
   }
-  replace(pair.to, std::move(to_remains));
-  replace(pair.from, std::move(from_remains));
+  const DoubleDouble3 between = exact_difference(pair.scale * b, origin);
+  pair.offset = {rounded(between.x), rounded(between.y), rounded(between.z)};
+  pair.from_loops = loops_of(from_remains.chains, {}, from_placed);
+  pair.to_loops = loops_of(to_remains.chains, between, to_placed);
+  pair.from = std::move(from_remains.chains);
+  pair.to = std::move(to_remains.chains);
+  return pair;
+}
+
+FacingPair facing_pair(const Polygon& from, const Polygon& to) {
+  FacingRegions regions = facing_regions({from.vertices()}, {to.vertices()});
+  FacingPair pair;
+  if (!regions.from_loops.empty()) pair.from = std::move(regions.from_loops.front());
+  if (!regions.to_loops.empty()) pair.to = std::move(regions.to_loops.front());
+  pair.offset = regions.offset;
+  pair.from_area = regions.from_area;
+  pair.moved = regions.moved;
+  pair.scale = regions.scale;
   return pair;
 }
 

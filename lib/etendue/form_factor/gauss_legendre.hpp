@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "etendue/core/double_double.hpp"
 #include "etendue/core/floating_point.hpp"
 
 namespace etendue {
@@ -21,6 +22,15 @@ inline constexpr int kMaxGaussNodes = 32;
 /// Accuracy  nodes and weights are rounded from extended precision: within one unit in the last place, measured
 /// Errors    ContractViolation when n is out of range
 [[nodiscard]] std::span<const QuadratureNode> gauss_legendre(int n);
+
+/// The same in twice the digits.
+struct WideQuadratureNode {
+  DoubleDouble x;
+  DoubleDouble weight;
+};
+
+/// Accuracy  nodes and weights within 2^-98: Newton's method ends where its step is lost in the rounding; measured
+[[nodiscard]] std::span<const WideQuadratureNode> wide_gauss_legendre(int n);
 
 /// Bounds |∫ f − rule f| over [−1, 1] where f's Chebyshev coefficients obey |a_k| ≤ (2/k) rho^(−k):
 /// (32/15)/n · rho^(−2n)/(1 − rho^(−2)); derivation in NOTES.md §2.

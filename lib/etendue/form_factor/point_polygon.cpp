@@ -31,15 +31,16 @@ struct Height {
   double unflat;  ///< largest distance of a vertex from that plane
 };
 
-Height height_above(const Polygon& polygon, const Vec3& point) {
+Height height_above(const Boundary& boundary, const Vec3& point) {
   double size = point.cwiseAbs().maxCoeff();
-  for (const Vec3& v : polygon.vertices()) size = std::max(size, v.cwiseAbs().maxCoeff());
+  for (const Vec3& v : boundary.front()) size = std::max(size, v.cwiseAbs().maxCoeff());
   const double scale = std::ldexp(1.0, -std::ilogb(size));
-  std::vector<Vec3> vertices;
-  vertices.reserve(polygon.vertices().size());
-  for (const Vec3& v : polygon.vertices()) vertices.push_back(scale * v);
-  const SharpPlane plane(vertices);
-  return {plane.height(scale * point), plane.flatness()};
+  const SharpPlane plane(localised(boundary.front(), Vec3::Zero(), scale));
+  double flatness = plane.flatness();
+  for (std::size_t i = 1; i < boundary.size(); ++i) {
+    for (const Vec3& v : boundary[i]) flatness = std::max(flatness, std::abs(plane.height(scale * v)));
+  }
+  return {plane.height(scale * point), flatness};
 }
 
 }  // namespace
@@ -66,21 +67,29 @@ Bounded lambert_sum(std::span<const Vec3> seen, const Vec3& normal) {
 }
 
 Bounded point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon) {
+  return point_to_boundary(point, normal, {polygon.vertices()});
+}
+
+Bounded point_to_boundary(const Vec3& point, const Vec3& normal, const Boundary& boundary) {
   require(point.allFinite(), "point_to_polygon: the point is finite");
   require(std::abs(normal.squaredNorm() - 1) <= 2 * kUnitSlack, "point_to_polygon: normal is a unit vector");
-  const Height height = height_above(polygon, point);
+  const Height height = height_above(boundary, point);
   if (height.value + height.unflat <= 0) return {0, 0};
 
   const Vec3 unit = normal.normalized();
-  const std::vector<Vec3> seen = seen_from(point, polygon.vertices());
-  std::vector<double> heights;
-  heights.reserve(seen.size());
-  bool behind = false;
-  for (const Vec3& v : seen) {
-    heights.push_back(v.dot(unit));
-    behind = behind || heights.back() < 0;
+  Bounded sum;
+  for (const std::vector<Vec3>& loop : boundary) {
+    const std::vector<Vec3> seen = seen_from(point, loop);
+    std::vector<double> heights;
+    heights.reserve(seen.size());
+    bool behind = false;
+    for (const Vec3& v : seen) {
+      heights.push_back(v.dot(unit));
+      behind = behind || heights.back() < 0;
+    }
+    const Bounded part = behind ? lambert_sum(clip(seen, heights), unit) : lambert_sum(seen, unit);
+    sum = {sum.value + part.value, sum.bound + part.bound};
   }
-  const Bounded sum = behind ? lambert_sum(clip(seen, heights), unit) : lambert_sum(seen, unit);
   // In front or behind, the vertices' distances from their plane decide it: 0, or what the outline spans.
   if (height.value <= height.unflat) return {0, std::min(1.0, std::abs(sum.value) + sum.bound)};
   // 0 ≤ F ≤ 1 holds for the truth: moving the value into the range by at most its error only brings it nearer.

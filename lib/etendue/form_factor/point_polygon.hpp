@@ -4,6 +4,7 @@
 #include <span>
 
 #include "etendue/core/bounded.hpp"
+#include "etendue/form_factor/facing_pair.hpp"
 #include "etendue/geometry/polygon.hpp"
 
 namespace etendue {
@@ -23,6 +24,9 @@ namespace etendue {
 /// Errors    ContractViolation when the normal is not of unit length or the point not finite
 /// Source    Lambert 1760; the angles by atan2, which keeps small and nearly straight ones
 [[nodiscard]] Bounded point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon);
+
+/// The same for a boundary as checked by PlanarRegion: outline first, holes clockwise.
+[[nodiscard]] Bounded point_to_boundary(const Vec3& point, const Vec3& normal, const Boundary& boundary);
 
 /// The bare sum for a loop given relative to the element, wholly above its horizon, running counter-clockwise as seen
 /// from the element; negative for the other sense.

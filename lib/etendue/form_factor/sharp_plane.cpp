@@ -32,13 +32,13 @@ SharpPlane::SharpPlane(const std::vector<Vec3>& vertices) : vertices_(vertices) 
   for (const Vec3& v : vertices) flatness_ = std::max(flatness_, std::abs(height(v)));
 }
 
-double SharpPlane::height(const Vec3& point) const {
+DoubleDouble SharpPlane::wide_height(const Vec3& point) const {
   if (point == vertices_.front()) return 0;
-  const double height = dot(exact_difference(point, vertices_.front()), normal_).high;
-  return std::abs(height) > error(point) ? height : exact_height(point);
+  const DoubleDouble height = dot(exact_difference(point, vertices_.front()), normal_);
+  return std::abs(height.high) > error(point) ? height : exact_height(point);
 }
 
-double SharpPlane::exact_height(const Vec3& point) const {
+DoubleDouble SharpPlane::exact_height(const Vec3& point) const {
   const Vec3& origin = vertices_.front();
   const auto from_origin = [&](const Vec3& p, int axis) { return Expansion(exact_difference(p[axis], origin[axis])); };
   Expansion sum(0.0);
@@ -51,7 +51,7 @@ double SharpPlane::exact_height(const Vec3& point) const {
     }
     sum = sum + normal * from_origin(point, axis);
   }
-  return sum.to_double_double().high * shrink_;
+  return sum.to_double_double() * shrink_;
 }
 
 double SharpPlane::error(const Vec3& point) const {

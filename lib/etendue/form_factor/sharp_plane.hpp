@@ -17,8 +17,12 @@ class SharpPlane {
   explicit SharpPlane(const std::vector<Vec3>& vertices);
 
   /// Signed distance of `point`, positive in front.
-  double height(const Vec3& point) const;
+  double height(const Vec3& point) const { return wide_height(point).high; }
+  DoubleDouble wide_height(const Vec3& point) const;
   double error(const Vec3& point) const;
+  Vec3 normal() const { return {normal_.x.high, normal_.y.high, normal_.z.high}; }
+  /// Within a few u of itself.
+  double area() const { return 0.5 / shrink_; }
   /// Largest distance of a vertex from the plane; 0 where the polygon is exactly flat.
   double flatness() const { return flatness_; }
 
@@ -26,7 +30,7 @@ class SharpPlane {
 
  private:
   /// The same from the exact Newell sum, for points so near that the sign is not certain.
-  double exact_height(const Vec3& point) const;
+  DoubleDouble exact_height(const Vec3& point) const;
 
   std::vector<Vec3> vertices_;
   DoubleDouble3 normal_;     ///< of length one within a few u

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+// Ten families of pairs of planar regions, made again from counter-based random numbers wherever they are needed: the
+// reference file holds only their form factors. + − · / and square roots alone: the same bits with every compiler.
+namespace etendue::validation::pairs {
+
+using Point = std::array<double, 3>;
+using Loops = std::vector<std::vector<Point>>;
+
+inline constexpr const char* kFamilies[] = {"general",     "shared edge", "shared vertex", "coplanar neighbours",
+                                            "standing on", "near-touch",  "size ratio",    "distance",
+                                            "sliver",      "with holes"};
+inline constexpr std::size_t kFamilyCount = 10;
+inline constexpr std::size_t kPairsPerFamily = 1024;
+inline constexpr std::uint64_t kSeed = 20240811;
+
+struct Pair {
+  Loops from, to;
+  bool exact_frame = false;  ///< every coordinate is exact: what was meant to lie in a plane does
+};
+
+/// SplitMix64 from a counter that the pair's number sets.
+class Random {
+ public:
+  Random(std::size_t family, std::size_t index) : state_(kSeed + (family << 40) + (index << 16)) { next(); }
+  double between(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() >> 33) % n; }
+
+ private:
+  std::uint64_t next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_;
+};
+
+/// On a dyadic grid, so that the integer frames below keep it exact.
+inline double dyadic(double x, double quantum = 0x1p-12) {
+  return std::round(x / quantum) * quantum;
+}
+
+inline double power_of_ten(double exponent, Random& random) {  // 10^-e for a whole e, times a number in [1, 2)
+  double value = random.between(1, 2);
+  for (int i = 0; i < static_cast<int>(exponent); ++i) value /= 10;
+  return value;
+}
+
+inline Point combine(const Point& o, double x, const Point& u, double y, const Point& v) {
+  return {o[0] + x * u[0] + y * v[0], o[1] + x * u[1] + y * v[1], o[2] + x * u[2] + y * v[2]};
+}
+
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+using Flat = std::vector<std::array<double, 2>>;
+
+/// Star-shaped around (0, 0), counter-clockwise, inside [−1, 1]²: by the boundary of the square, pulled in by chance.
+inline Flat star(Random& random, std::size_t n, double least = 0.4) {
+  Flat flat;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double u = 4 * (static_cast<double>(k) + random.between(0.3, 0.7)) / static_cast<double>(n);
+    const int side = static_cast<int>(u);
+    const double t = 2 * (u - side) - 1, r = random.between(least, 1);
+    const double x[] = {1, -t, -1, t}, y[] = {t, 1, -t, -1};
+    flat.push_back({dyadic(r * x[side]), dyadic(r * y[side])});
+  }
+  return flat;
+}
+
+/// A plane's two directions, about of length one and about at right angles, on the grid.
+struct Axes {
+  Point u, v;
+};
+
+inline std::array<Point, 3> rotation(double w, double x, double y, double z) {  // |q|² times a rotation
+  return {Point{w * w + x * x - y * y - z * z, 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          Point{2 * (x * y - w * z), w * w - x * x + y * y - z * z, 2 * (y * z + w * x)},
+          Point{2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z}};
+}
+
+inline std::array<Point, 3> random_rotation(Random& random) {
+  double q[4], square = 0;
+  do {
+    square = 0;
+    for (double& c : q) {
+      c = random.between(-1, 1);
+      square += c * c;
+    }
+  } while (square > 1 || square < 0.1);
+  const double scale = 1 / std::sqrt(square);
+  return rotation(scale * q[0], scale * q[1], scale * q[2], scale * q[3]);
+}
+
+inline Axes random_axes(Random& random) {
+  auto r = random_rotation(random);
+  for (Point& axis : r) {
+    for (double& c : axis) c = dyadic(c, 0x1p-10);
+  }
+  return {r[0], r[1]};
+}
+
+inline std::vector<Point> placed(const Flat& flat, const Point& origin, const Axes& axes, double scale = 1) {
+  std::vector<Point> loop;
+  for (const auto& p : flat) loop.push_back(combine(origin, scale * p[0], axes.u, scale * p[1], axes.v));
+  return loop;
+}
+
+inline constexpr Point kOrigin{0, 0, 0};
+inline constexpr Axes kFloor{{1, 0, 0}, {0, 1, 0}};
+
+/// Turned so that its front looks towards `target`.
+inline Axes facing(Axes axes, const Point& at, const Point& target) {
+  const Point away{at[0] - target[0], at[1] - target[1], at[2] - target[2]};
+  if (dot(cross(axes.u, axes.v), away) > 0) std::swap(axes.u, axes.v);
+  return axes;
+}
+
+inline Point above(Random& random, double low, double high) {
+  return {dyadic(random.between(-1, 1)), dyadic(random.between(-1, 1)), dyadic(random.between(low, high))};
+}
+
+inline Pair general(Random& random) {
+  const Point at = above(random, 0.2, 3);
+  return {{placed(star(random, 3 + random.below(6)), kOrigin, kFloor)},
+          {placed(star(random, 3 + random.below(6)), at, facing(random_axes(random), at, kOrigin))}};
+}
+
+/// From y = 0 along (0, y, z): the edge from (0, 0, 0) to (1, 0, 0) belongs to both.
+inline Pair hinged(Random& random, double y, double z) {
+  const auto far = [&] { return dyadic(random.between(0.3, 2)); };
+  const auto slant = [&] { return dyadic(random.between(-0.4, 0.4)); };
+  const double h = far(), k = far(), a = far(), b = far(), s = slant(), t = slant();
+  return {{{{0, 0, 0}, {1, 0, 0}, {1 + slant(), a, 0}, {slant(), b, 0}}},
+          {{{1, 0, 0}, {0, 0, 0}, {s, h * y, h * z}, {1 + t, k * y, k * z}}}};
+}
+
+inline Pair shared_edge(Random& random) {
+  const double t = random.between(0.05, 2.5);  // tan of half the dihedral angle, from 6° to 136°
+  return hinged(random, dyadic((1 - t * t) / (1 + t * t)), dyadic(2 * t / (1 + t * t)));
+}
+
+inline Pair shared_vertex(Random& random) {
+  const auto between = [&](double low, double high) { return dyadic(random.between(low, high)); };
+  const double a = between(0.3, 1), b = between(0.3, 1);
+  std::vector<Point> from{{0, 0, 0}, {between(0.5, 1), between(-0.3, 0.2), 0}, {a, b, 0}};
+  if (random.below(2) == 0) from.push_back({between(-0.4, 0), between(0.5, 1), 0});
+  const Point p{between(-1, 1), between(-1, 1), between(0.2, 1)}, q{between(-1, 1), between(-1, 1), between(0.3, 1)};
+  const Axes axes = facing({p, q}, kOrigin, {0.4, 0.4, 0});
+  std::vector<Point> to{kOrigin, axes.u, axes.v};
+  if (random.below(2) == 0) to = {kOrigin, axes.u, combine(kOrigin, 0.75, axes.u, 0.625, axes.v), axes.v};
+  return {{from}, {to}};
+}
+
+inline Pair coplanar_neighbours(Random& random, std::size_t index) {
+  double slope = 1;  // folded up a little, or (every fourth) not at all
+  for (std::size_t k = 0; k < 3 + index / 4 % 18; ++k) slope /= 2;
+  if (index % 4 == 3) slope = 0;
+  Pair pair = hinged(random, -1, slope);
+  if (index % 4 == 2) {
+    const double shift = dyadic(random.between(-1.5, 1.5));  // beside one another along the common line
+    for (Point& p : pair.to[0]) p[0] += shift;
+  }
+  return pair;
+}
+
+inline Pair standing_on(Random& random) {
+  const auto between = [&](double low, double high) { return dyadic(random.between(low, high)); };
+  const Point foot{between(-0.5, 0.2), between(-0.5, 0.5), 0}, along{between(0.2, 1), between(-0.5, 0.5), 0};
+  const Point up{between(-0.6, 0.6), between(-0.6, 0.6), between(0.3, 1.5)};
+  const double lean = between(-0.3, 0.3);
+  std::vector<Point> wall{combine(foot, 1, along, 0, up), foot, combine(foot, lean, along, 1, up),
+                          combine(foot, 0.75, along, 1.25, up)};
+  if (random.below(2) == 0) wall = {wall[1], wall[0], wall[3], wall[2]};
+  return {{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {wall}};
+}
+
+inline Pair near_touch(Random& random, std::size_t index) {
+  const double gap = dyadic(power_of_ten(3 + static_cast<double>(index % 6), random), 0x1p-40);
+  const Flat flat = star(random, 3 + random.below(4));
+  const Point shift{dyadic(random.between(-0.5, 0.5)), dyadic(random.between(-0.5, 0.5)), gap};
+  if (index / 6 % 2 == 0) {  // plates
+    const Flat other = index / 12 % 2 == 0 ? flat : star(random, 3 + random.below(4));
+    const Point at = index / 24 % 2 == 0 ? Point{0, 0, gap} : shift;
+    std::vector<Point> to = placed(other, at, kFloor);
+    return {{placed(flat, kOrigin, kFloor)}, {{to.rbegin(), to.rend()}}};
+  }
+  // A panel that leans over the floor, its lowest edge or corner a gap above.
+  const Point along{dyadic(random.between(0.3, 1)), dyadic(random.between(-0.3, 0.3)),
+                    index / 12 % 2 == 0 ? 0 : dyadic(random.between(0.1, 1))};
+  const Point up{dyadic(random.between(-0.5, 0.5)), dyadic(random.between(-1, 1)), dyadic(random.between(0.1, 1))};
+  const Axes axes = facing({along, up}, {0, 0, 1}, kOrigin);
+  return {{placed(flat, kOrigin, kFloor)},
+          {{shift, combine(shift, 1, axes.u, 0, axes.v), combine(shift, 1, axes.u, 1, axes.v),
+            combine(shift, 0, axes.u, 1, axes.v)}}};
+}
+
+inline Pair size_ratio(Random& random, std::size_t index) {
+  double scale = 1;
+  for (std::size_t k = 0; k < index % 21; ++k) scale /= 2;  // to 2^-20 ≈ 1e-6
+  const Point at = above(random, 0.3, 2);
+  Pair pair{{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)},
+            {placed(star(random, 3 + random.below(4)), at, facing(random_axes(random), at, kOrigin), scale)}};
+  if (index / 21 % 2 == 0) std::swap(pair.from, pair.to);
+  return pair;
+}
+
+inline Pair distance(Random& random, std::size_t index) {
+  double far = 1;
+  for (std::size_t k = 0; k < index % 21; ++k) far *= 2;
+  const Point way = above(random, 0.3, 1);
+  const Point at{far * way[0], far * way[1], far * way[2]};
+  return {{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)},
+          {placed(star(random, 3 + random.below(4)), at, facing(random_axes(random), at, kOrigin))}};
+}
+
+inline Pair sliver(Random& random, std::size_t index) {
+  double narrow = 1;
+  for (std::size_t k = 0; k < 3 + index % 18; ++k) narrow /= 2;
+  const auto thin = [&](Flat flat) {
+    for (auto& p : flat) p[1] *= narrow;
+    return flat;
+  };
+  const std::size_t kind = index / 18 % 4;
+  if (kind == 3) {  // hinged on a broad one along its long edge
+    Pair pair = shared_edge(random);
+    for (std::size_t i = 2; i < 4; ++i) {
+      for (std::size_t c = 1; c < 3; ++c) pair.to[0][i][c] *= narrow;
+    }
+    if (index / 72 % 2 == 0) std::swap(pair.from, pair.to);
+    return pair;
+  }
+  const Point at = above(random, 0.2, 1.5);
+  const Flat a = star(random, 3 + random.below(3)), b = star(random, 3 + random.below(3));
+  return {{placed(kind != 1 ? thin(a) : a, kOrigin, kFloor)},
+          {placed(kind != 0 ? thin(b) : b, at, facing(random_axes(random), at, kOrigin))}};
+}
+
+/// A star with one or two holes around the middle, every radius of the star beyond them.
+inline Loops holed(Random& random, const Point& at, const Axes& axes, bool plain) {
+  Loops region{placed(star(random, 6 + random.below(6), 0.62), at, axes)};
+  if (plain) return region;
+  const auto hole = [&](double x, double y, double size) {
+    Flat flat;
+    for (const auto& p : star(random, 3 + random.below(3), 0.6)) flat.push_back({x + size * p[0], y + size * p[1]});
+    std::vector<Point> loop = placed(flat, at, axes);
+    region.push_back({loop.rbegin(), loop.rend()});
+  };
+  if (random.below(2) == 0) {
+    hole(0, 0, 0.25);
+  } else {
+    hole(-0.15625, 0.03125, 0.125);
+    hole(0.15625, -0.0625, 0.125);
+  }
+  return region;
+}
+
+inline Pair with_holes(Random& random, std::size_t index) {
+  const Point at = above(random, 0.5, 2.5);
+  return {holed(random, kOrigin, kFloor, index % 4 == 1),
+          holed(random, at, facing(random_axes(random), at, kOrigin), index % 4 == 2)};
+}
+
+/// The pair `index` of `family`, in a frame of its own: by turns a rotation rounded to double, and a whole-numbered
+/// rotation with a stretch, which keeps every coordinate exact.
+inline Pair make(std::size_t family, std::size_t index) {
+  Random random(family, index);
+  Pair pair;
+  if (family == 0) pair = general(random);
+  if (family == 1) pair = shared_edge(random);
+  if (family == 2) pair = shared_vertex(random);
+  if (family == 3) pair = coplanar_neighbours(random, index);
+  if (family == 4) pair = standing_on(random);
+  if (family == 5) pair = near_touch(random, index);
+  if (family == 6) pair = size_ratio(random, index);
+  if (family == 7) pair = distance(random, index);
+  if (family == 8) pair = sliver(random, index);
+  if (family == 9) pair = with_holes(random, index);
+  // Edges that overlap along a line would be hairs apart in a rounded frame, and their factors no longer known.
+  const bool overlap = family == 3 && index % 4 == 2;
+  pair.exact_frame = random.below(2) == 0 || overlap;
+  const auto whole = [&] { return static_cast<double>(random.below(5)) - 2; };
+  const std::array<Point, 3> axes = pair.exact_frame
+                                        ? rotation(1 + static_cast<double>(random.below(3)), whole(), whole(), whole())
+                                        : random_rotation(random);
+  for (Loops* loops : {&pair.from, &pair.to}) {
+    for (auto& loop : *loops) {
+      for (Point& p : loop)
+        p = combine({axes[2][0] * p[2], axes[2][1] * p[2], axes[2][2] * p[2]}, p[0], axes[0], p[1], axes[1]);
+    }
+  }
+  return pair;
+}
+
+}  // namespace etendue::validation::pairs
