@@ -9,7 +9,6 @@
 #include <string>
 
 #include "etendue/core/rounding.hpp"
-#include "etendue/linear/gaussian_elimination.hpp"
 
 namespace etendue {
 
@@ -88,8 +87,13 @@ BackwardError backward_error(const Eigen::MatrixXd& matrix, const Eigen::VectorX
 }
 
 Result<LinearSolution> solve_gaussian(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs) {
+  return stoppable_gaussian(matrix, rhs, {});
+}
+
+Result<LinearSolution> stoppable_gaussian(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs,
+                                          const MayGoOn& may_go_on) {
   if (const auto error = unfit(matrix, rhs)) return *error;
-  auto x = gaussian_elimination<double>(matrix, rhs);
+  auto x = gaussian_elimination<double>(matrix, rhs, may_go_on);
   if (!x) return x.error();
   return judged(matrix, std::move(x).value(), rhs);
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "etendue/core/result.hpp"
+#include "etendue/linear/gaussian_elimination.hpp"
 
 namespace etendue {
 
@@ -32,8 +33,12 @@ struct LinearSolution {
 /// Errors    shapes that do not fit, non-finite entries, a singular matrix (the column is named), overflow
 [[nodiscard]] Result<LinearSolution> solve_gaussian(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
+/// The same, to the last bit; ErrorCode::stopped when `may_go_on` says no.
+[[nodiscard]] Result<LinearSolution> stoppable_gaussian(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs,
+                                                        const MayGoOn& may_go_on);
+
 /// The same system by Eigen's blocked LU with partial pivoting: faster; its block size follows the processor's caches,
-/// so that the last bits may differ between machines.
+/// so that the last bits may differ between machines. It cannot be stopped.
 [[nodiscard]] Result<LinearSolution> solve_eigen_lu(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& rhs);
 
 }  // namespace etendue

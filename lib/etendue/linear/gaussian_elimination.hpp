@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,9 @@ template <class Scalar>
 using DenseMatrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar>
 using DenseVector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+/// Asked before each column of an elimination: may it go on? Never changes a result. Empty: it may.
+using MayGoOn = std::function<bool(Eigen::Index done, Eigen::Index total)>;
 
 namespace detail {
 
@@ -60,13 +64,19 @@ void substitute_back(const DenseMatrix<Scalar>& upper, DenseVector<Scalar>& rhs)
 /// Domain    square matrix; Scalar is any ordered field type: double, or an exact rational
 /// Returns   x; over an exact field the exact solution
 /// Accuracy  in double: solve_gaussian() returns a proved upper bound of the backward error it reached
-/// Errors    a column without a pivot other than zero: the matrix is singular (exact field), or singular as computed
+/// Errors    a column without a pivot other than zero: the matrix is singular (exact field), or singular as computed;
+///           ErrorCode::stopped when it may not go on
 /// Order     every operation has its place: the same bits from any compiler that keeps IEEE-754
 template <class Scalar>
-[[nodiscard]] Result<DenseVector<Scalar>> gaussian_elimination(DenseMatrix<Scalar> matrix, DenseVector<Scalar> rhs) {
+[[nodiscard]] Result<DenseVector<Scalar>> gaussian_elimination(DenseMatrix<Scalar> matrix, DenseVector<Scalar> rhs,
+                                                               const MayGoOn& may_go_on = {}) {
   require(matrix.rows() == matrix.cols(), "gaussian_elimination: the matrix is square");
   require(matrix.rows() == rhs.rows(), "gaussian_elimination: the right-hand side has one entry a row");
   for (Eigen::Index k = 0; k < matrix.rows(); ++k) {
+    if (may_go_on && !may_go_on(k, matrix.rows())) {
+      return Error{ErrorCode::stopped,
+                   "elimination stopped before column " + std::to_string(k) + " of " + std::to_string(matrix.rows())};
+    }
     const Eigen::Index pivot = detail::pivot_row<Scalar>(matrix, k);
     const Scalar value = matrix(pivot, k);
     if (value == Scalar(0) || value != value) {

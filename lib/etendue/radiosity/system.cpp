@@ -78,13 +78,14 @@ Eigen::MatrixXd radiosity_matrix(const RadiositySystem& system) {
   return matrix;
 }
 
-Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver, double factor_error) {
+Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver, double factor_error,
+                                          const MayGoOn& may_go_on) {
   require(factor_error >= 0, "solve_radiosity: the error of the form factors is not negative");
   if (const auto error = refusal(system, factor_error)) return *error;
   if (!has_headroom(system)) return overflow(system);
   const Eigen::MatrixXd matrix = radiosity_matrix(system);
   const auto solved = solver == DirectSolver::eigen_lu ? solve_eigen_lu(matrix, system.emission)
-                                                       : solve_gaussian(matrix, system.emission);
+                                                       : stoppable_gaussian(matrix, system.emission, may_go_on);
   if (!solved) return solved.error();
   const ResidualBound certificate = residual_bound(system, solved->x);
   if (!std::isfinite(certificate.bound)) return overflow(system);

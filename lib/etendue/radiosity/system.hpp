@@ -5,6 +5,7 @@
 
 #include "etendue/core/bounded.hpp"
 #include "etendue/core/result.hpp"
+#include "etendue/linear/gaussian_elimination.hpp"
 
 namespace etendue {
 
@@ -33,14 +34,17 @@ enum class DirectSolver { gaussian_elimination, eigen_lu };
 ///     B_i = E_i + ρ_i Σ_j B_j F_ij                                                               @eq IU.6-7, IU.6-8
 ///
 /// Symbols   factor_error: how far a given F_ij may be above the exact one, which is a share of power and at most 1;
-///           without word of it, what form factors are computed to by default (Tolerance)
+///           without word of it, what form factors are computed to by default (Tolerance); may_go_on: asked before
+///           each column that Gaussian elimination eliminates (Eigen's LU does not ask)
 /// Returns   B, its residual and bound; Gaussian elimination gives the same bits from every compiler
 /// Accuracy  max |B − exact B| ≤ bound, proved (NOTES.md): certificate.hpp
 /// Errors    shapes that do not fit, no patch, non-finite entries, E < 0 (a patch emits or does not; absorption is ρ),
 ///           F_ij < 0 or above 1 + factor_error, ρ outside [0, 1) (at ρ = 1 the sum of the interreflections diverges:
 ///           E25), rows that cannot be shown to keep ρ_i Σ_j F_ij below 1, emissions so large that radiosities or their
-///           bounds overflow; the message names the row (of F_ij the column too) and its values.
+///           bounds overflow; the message names the row (of F_ij the column too) and its
+///           values. ErrorCode::stopped when it may not go on
 [[nodiscard]] Result<RadiositySolution> solve_radiosity(const RadiositySystem& system, DirectSolver solver,
-                                                        double factor_error = Tolerance{}.relative);
+                                                        double factor_error = Tolerance{}.relative,
+                                                        const MayGoOn& may_go_on = {});
 
 }  // namespace etendue
