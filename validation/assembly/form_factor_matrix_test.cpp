@@ -4,6 +4,7 @@
 #include <atomic>
 #include <random>
 
+#include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/assembly/sight.hpp"
 #include "etendue/core/rounding.hpp"
@@ -52,7 +53,7 @@ TEST(FormFactorMatrix, ClosesABoxToTenDigits) {
   const ElementMesh mesh = *mesh_elements(turned_furnace(0.5, 1));
   const FormFactorMatrix matrix = assemble_form_factors(mesh, {}, {});
   ASSERT_TRUE(matrix.complete);
-  const ClosureReport closure = closure_report(matrix);
+  const ClosureReport closure = closure_report(mesh, matrix);
   EXPECT_TRUE(closure.covered.empty());
   EXPECT_TRUE(within(closure.defect, kClosureOfExactFactors));
   for (Eigen::Index i = 0; i < matrix.factors.rows(); ++i) {
@@ -113,7 +114,7 @@ TEST(FormFactorMatrix, ClosesARoomWithAScreen) {
   proves({"IU.6-4", "IU.6-6"}, Oracle::identity, "Σ_j F_ij = 1 with blockers");
   const ElementMesh mesh = *mesh_elements(room_with_screen());
   const FormFactorMatrix matrix = assemble_form_factors(mesh, {}, {});
-  const ClosureReport closure = closure_report(matrix);
+  const ClosureReport closure = closure_report(mesh, matrix);
   EXPECT_TRUE(closure.covered.empty());
   for (Eigen::Index i = 0; i < matrix.factors.rows(); ++i) {
     EXPECT_TRUE(near(closure.row_sums(i), 1, matrix.bounds.row(i).sum() + gamma_bound(60)));

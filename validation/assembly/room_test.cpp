@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/io/scene_reader.hpp"
@@ -44,7 +45,8 @@ const FormFactorMatrix& coarse_factors() {
 
 Solved solved(const Scene& scene) {
   const auto solver = DirectSolver::gaussian_elimination;
-  Solved result{*mesh_elements(scene), closure_report(coarse_factors()), {}};
+  Solved result{*mesh_elements(scene), {}, {}};
+  result.closure = closure_report(result.mesh, coarse_factors());
   result.radiosity = solve_scene_radiosity(scene, result.mesh, coarse_factors(), solver).value();
   return result;
 }

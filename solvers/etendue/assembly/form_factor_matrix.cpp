@@ -2,12 +2,9 @@
 #include "etendue/assembly/form_factor_matrix.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "etendue/assembly/sight.hpp"
 #include "etendue/core/rounding.hpp"
-#include "etendue/form_factor/obstructed.hpp"
-#include "etendue/form_factor/polygon_polygon.hpp"
 
 namespace etendue {
 
@@ -16,56 +13,48 @@ namespace {
 struct RowReport {
   PairCounts pairs;
   ReciprocityReport reciprocity;
+  MissedTolerance missed;
 };
 
-// One pair of elements, first and second, seen from either side.
-struct Pair {
-  const Polygon& first;
-  const Polygon& second;
-  std::vector<Polygon> blockers;
+void count(const PairFactor& found, ReciprocityReport& report) {
+  if (!found.checked) return;
+  ++report.pairs;
+  if (!found.agree) ++report.disagreements;
+  if (found.agree && found.quarterings > 0) ++report.refined;
+  report.defect = std::max(report.defect, found.difference);
+}
 
-  double ratio() const { return first.area() / second.area(); }
+bool worse(const MissedTolerance& a, const MissedTolerance& b) {
+  return b.pairs == 0 || a.bound * b.allowed > b.bound * a.allowed;
+}
 
-  Bounded factor(const Polygon& from, const Polygon& to, const AssemblyTolerance& tolerance) const {
-    return blockers.empty() ? form_factor(from, to, tolerance.free)
-                            : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
-  }
+void join(MissedTolerance& sum, const MissedTolerance& more) {
+  if (more.pairs == 0) return;
+  const std::size_t pairs = sum.pairs + more.pairs;
+  if (worse(more, sum)) sum = more;
+  sum.pairs = pairs;
+}
 
-  // From both sides, as a factor of the first; the two are compared in `report`.
-  Bounded checked_factor(const AssemblyTolerance& tolerance, ReciprocityReport& report) const {
-    const Bounded there = factor(first, second, tolerance);
-    Bounded back = factor(second, first, tolerance);
-    back = {back.value / ratio(), back.bound / ratio()};
-    const double difference = std::abs(there.value - back.value);
-    // Two roundings on the way from A_j F_ji to F_ij.
-    const double allowed = there.bound + back.bound + gamma_bound(4) * std::max(there.value, back.value);
-    ++report.pairs;
-    if (difference > allowed) ++report.disagreements;
-    report.defect = std::max(report.defect, difference * std::min(1.0, ratio()));
-    return {std::max(there.value, back.value), std::max({there.bound, back.bound, difference})};
-  }
-};
-
-Bounded pair_factor(const ElementMesh& mesh, const SightMap& sights, const AssemblyTolerance& tolerance, std::size_t i,
-                    std::size_t j, RowReport& report) {
+PairFactor pair_factor(const ElementMesh& mesh, const SightMap& sights, const AssemblyTolerance& tolerance,
+                       std::size_t i, std::size_t j, PairCounts& counts) {
   const SightLine line = sights.between(i, j);
-  Pair pair{mesh.elements[i].polygon, mesh.elements[j].polygon, {}};
+  ElementPair pair{mesh.elements[i].polygon, mesh.elements[j].polygon, {}};
   switch (line.sight) {
     case Sight::averted:
-      ++report.pairs.averted;
-      return {0, 0};
+      ++counts.averted;
+      return {};
     case Sight::blocked:
-      ++report.pairs.blocked;
-      return {0, 0};
+      ++counts.blocked;
+      return {};
     case Sight::clear:
-      if (report.pairs.clear++ % kCheckedClearPairs == 0) return pair.checked_factor(tolerance, report.reciprocity);
-      return pair.factor(pair.first, pair.second, tolerance);
+      if (counts.clear++ % kCheckedClearPairs == 0) return two_sided_factor(pair, tolerance);
+      return one_sided_factor(pair, tolerance);
     case Sight::undecided:
       break;
   }
-  ++report.pairs.obstructed;
+  ++counts.obstructed;
   for (const std::size_t face : line.blockers) pair.blockers.push_back(mesh.faces[face].polygon);
-  return pair.checked_factor(tolerance, report.reciprocity);
+  return two_sided_factor(pair, tolerance);
 }
 
 void add(RowReport& sum, const RowReport& row) {
@@ -74,8 +63,10 @@ void add(RowReport& sum, const RowReport& row) {
   sum.pairs.blocked += row.pairs.blocked;
   sum.pairs.obstructed += row.pairs.obstructed;
   sum.reciprocity.pairs += row.reciprocity.pairs;
+  sum.reciprocity.refined += row.reciprocity.refined;
   sum.reciprocity.disagreements += row.reciprocity.disagreements;
   sum.reciprocity.defect = std::max(sum.reciprocity.defect, row.reciprocity.defect);
+  join(sum.missed, row.missed);
 }
 
 }  // namespace
@@ -85,15 +76,21 @@ FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTo
   const std::size_t n = mesh.elements.size();
   const auto size = static_cast<Eigen::Index>(n);
   const SightMap sights(mesh);
-  FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, {}, false};
+  FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, {}, {}, false};
   std::vector<RowReport> rows(n);
   std::vector<char> done(n, 0);  // not vector<bool>: threads write neighbours
 
   matrix.complete = parallel_for(n, execution, [&](std::size_t row) {
     for (std::size_t column = row + 1; column < n; ++column) {
-      const Bounded factor = pair_factor(mesh, sights, tolerance, row, column, rows[row]);
+      const PairFactor found = pair_factor(mesh, sights, tolerance, row, column, rows[row].pairs);
+      const Bounded factor = found.factor;
       const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
       const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
+      count(found, rows[row].reciprocity);
+      const double allowed = std::max(allowed_error(tolerance.free, factor.value, ratio),
+                                      allowed_error(tolerance.obstructed, factor.value, ratio));
+      if (factor.bound > allowed * (1 + gamma_bound(4)))
+        join(rows[row].missed, {1, row, column, factor.bound, allowed});
       matrix.factors(i, j) = factor.value;
       matrix.bounds(i, j) = factor.bound;
       matrix.factors(j, i) = factor.value * ratio;
@@ -106,30 +103,9 @@ FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTo
   for (const RowReport& row : rows) add(sum, row);
   matrix.pairs = sum.pairs;
   matrix.reciprocity = sum.reciprocity;
+  matrix.missed = sum.missed;
   matrix.row_done.assign(done.begin(), done.end());
   return matrix;
-}
-
-ClosureReport closure_report(const FormFactorMatrix& matrix) {
-  const Eigen::Index n = matrix.factors.rows();
-  ClosureReport report;
-  report.row_sums = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    double row_bound = 0;
-    for (Eigen::Index j = 0; j < n; ++j) {
-      report.row_sums(i) += matrix.factors(i, j);
-      row_bound += matrix.bounds(i, j);
-    }
-    report.total_bound += row_bound;
-    report.largest_row_bound = std::max(report.largest_row_bound, row_bound);
-    if (report.row_sums(i) <= row_bound) {  // zero, as far as the bounds can tell
-      report.covered.push_back(static_cast<std::size_t>(i));
-    } else if (std::abs(1 - report.row_sums(i)) > report.defect) {
-      report.defect = std::abs(1 - report.row_sums(i));
-      report.worst = static_cast<std::size_t>(i);
-    }
-  }
-  return report;
 }
 
 }  // namespace etendue

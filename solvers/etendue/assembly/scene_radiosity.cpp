@@ -22,8 +22,18 @@ RadiositySystem radiosity_system(const Scene& scene, const ElementMesh& mesh, co
   return system;
 }
 
+namespace {
+
+SceneRadiosity partial(SceneRadiosity result, std::size_t channels) {
+  result.solved = channels;
+  return result;
+}
+
+}  // namespace
+
 Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMesh& mesh,
-                                             const FormFactorMatrix& matrix, DirectSolver solver) {
+                                             const FormFactorMatrix& matrix, DirectSolver solver,
+                                             const Execution& execution) {
   require(matrix.complete, "solve_scene_radiosity: all form factors are there");
   static constexpr const char* kChannels[] = {"red", "green", "blue"};
   const std::size_t n = mesh.elements.size();
@@ -35,10 +45,17 @@ Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMe
   // The factors may exceed 1 by as much as they were computed to.
   const double factor_error = std::max(Tolerance{}.relative, n > 0 ? matrix.bounds.maxCoeff() : 0);
   SceneRadiosity result{std::vector<Rgb>(n, Rgb::Zero()), {}};
+  const auto stopped = [&execution] { return execution.stop && *execution.stop; };
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
+    if (stopped()) return partial(std::move(result), c);
     const RadiositySystem system = radiosity_system(scene, mesh, matrix.factors, channel);
-    auto solved = solve_radiosity(system, solver, factor_error);
+    const auto may_go_on = [&](Eigen::Index done, Eigen::Index total) {
+      if (execution.progress) execution.progress(static_cast<std::size_t>(channel * total + done), 3 * n);
+      return !stopped();
+    };
+    auto solved = solve_radiosity(system, solver, factor_error, may_go_on);
+    if (!solved && solved.error().code == ErrorCode::stopped) return partial(std::move(result), c);
     if (!solved) return Error{solved.error().code, std::string(kChannels[c]) + " channel: " + solved.error().message};
     const Eigen::VectorXd& radiosity = solved->radiosity;
     for (std::size_t i = 0; i < n; ++i) result.radiosity[i](channel) = radiosity(static_cast<Eigen::Index>(i));

@@ -104,7 +104,7 @@ Image averaged(const Image& fine, int samples) {
 }  // namespace
 
 Result<Image> view_radiosities(const Camera& camera, const ElementMesh& mesh, const VertexRadiosities& radiosities,
-                               const Rgb& background, int samples) {
+                               const Rgb& background, int samples, const Execution& execution) {
   require(samples >= 1, "view_radiosities: at least one sample a pixel");
   require(radiosities.corners.size() == mesh.elements.size(), "view_radiosities: vertex radiosities of this mesh");
   const auto frame = camera_frame(camera);
@@ -116,7 +116,11 @@ Result<Image> view_radiosities(const Camera& camera, const ElementMesh& mesh, co
                                                std::to_string(kLargestPicture) + " along an edge"};
   }
   Painter painter(*frame, camera.columns * samples, camera.rows * samples, kNearPlane * diagonal(mesh), background);
-  for (std::size_t k = 0; k < mesh.elements.size(); ++k) painter.draw(mesh.elements[k].polygon, radiosities.corners[k]);
+  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+    if (execution.stop && *execution.stop) return Error{ErrorCode::stopped, "the picture was stopped"};
+    painter.draw(mesh.elements[k].polygon, radiosities.corners[k]);
+    if (execution.progress) execution.progress(k + 1, mesh.elements.size());
+  }
   return averaged(painter.picture(), samples);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/execution/execution.hpp"
 #include "etendue/image/image.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
 
@@ -17,9 +18,10 @@ inline constexpr double kNearPlane = 0x1p-20;
 ///
 /// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1
 /// Returns   B at what each pixel shows [W/m²]; `background` where that is nothing
-/// Errors    those of camera_frame(); a picture that is too large
+/// Errors    those of camera_frame(); a picture that is too large; ErrorCode::stopped, between elements
 [[nodiscard]] Result<Image> view_radiosities(const Camera& camera, const ElementMesh& mesh,
-                                             const VertexRadiosities& radiosities, const Rgb& background, int samples);
+                                             const VertexRadiosities& radiosities, const Rgb& background, int samples,
+                                             const Execution& execution = {});
 
 /// What a display value of one stands for: the largest vertex radiosity, in any channel, of elements that do not emit;
 /// with emitters only, theirs; 1 where all is dark.

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/assembly/pair_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/obstructed.hpp"
+#include "etendue/form_factor/polygon_polygon.hpp"
+
+namespace etendue {
+
+namespace {
+
+// One quadrilateral a corner: the corner, the middles of its two edges, and the mean of all corners. A convex polygon's
+// parts are convex and cover it; a part too narrow to be a polygon (Polygon::make) leaves the polygon whole.
+std::vector<Polygon> quartered(const Polygon& polygon) {
+  const auto& v = polygon.vertices();
+  const std::size_t n = v.size();
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& vertex : v) middle += vertex / static_cast<double>(n);
+  std::vector<Polygon> parts;
+  for (std::size_t k = 0; k < n; ++k) {
+    auto part = Polygon::make({(v[(k + n - 1) % n] + v[k]) / 2, v[k], (v[k] + v[(k + 1) % n]) / 2, middle});
+    if (!part) return {polygon};
+    parts.push_back(std::move(part).value());
+  }
+  return parts;
+}
+
+std::vector<Polygon> quartered(const std::vector<Polygon>& polygons) {
+  std::vector<Polygon> parts;
+  for (const Polygon& polygon : polygons) {
+    for (Polygon& part : quartered(polygon)) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+Bounded factor(const Polygon& from, const Polygon& to, const std::vector<Polygon>& blockers,
+               const AssemblyTolerance& tolerance) {
+  return blockers.empty() ? form_factor(from, to, tolerance.free)
+                          : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
+}
+
+// The mean over the parts of the source, weighted by area.
+Bounded mean_factor(const std::vector<Polygon>& from, const Polygon& to, const std::vector<Polygon>& blockers,
+                    const AssemblyTolerance& tolerance) {
+  double area = 0;
+  Bounded sum;
+  for (const Polygon& part : from) {
+    const Bounded one = factor(part, to, blockers, tolerance);
+    area += part.area();
+    sum.value += part.area() * one.value;
+    sum.bound += part.area() * one.bound;
+  }
+  // Areas, products, sums and the division: no more than four roundings a part.
+  return {sum.value / area, (sum.bound + gamma_bound(4 * static_cast<int>(from.size())) * sum.value) / area};
+}
+
+struct Comparison {
+  PairFactor pair;
+  bool settled = true;  // nothing to be gained from parts
+};
+
+// Both sides as factors of the first.
+Comparison compared(const Bounded& there, Bounded back, double ratio, const Tolerance& tolerance) {
+  back = {back.value / ratio, back.bound / ratio};
+  const double difference = std::abs(there.value - back.value);
+  const double larger = std::max(there.value, back.value);
+  PairFactor result;
+  result.checked = true;
+  result.factor = {larger, std::max({there.bound, back.bound, difference})};
+  result.agree = difference <= there.bound + back.bound + gamma_bound(4) * larger;  // two roundings on A_2 F_21 / A_1
+  result.difference = difference * std::min(1.0, ratio);
+  // A side that has run out of evaluations (obstructed.cpp) says so by its bound; each part would cost as much again.
+  const bool reached = std::max(there.bound, back.bound) <= allowed_error(tolerance, larger, ratio);
+  return {result, !reached || (result.agree && difference <= allowed_error(tolerance, larger, ratio))};
+}
+
+}  // namespace
+
+PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+  PairFactor result;
+  result.factor = factor(pair.first, pair.second, pair.blockers, tolerance);
+  return result;
+}
+
+PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+  const double ratio = pair.first.area() / pair.second.area();
+  Comparison result = compared(factor(pair.first, pair.second, pair.blockers, tolerance),
+                               factor(pair.second, pair.first, pair.blockers, tolerance), ratio, tolerance.obstructed);
+  if (pair.blockers.empty()) return result.pair;
+  // Of parts half the error is asked: their sum may err by the relative and by the absolute share.
+  AssemblyTolerance of_parts = tolerance;
+  of_parts.obstructed = {tolerance.obstructed.relative / 2, tolerance.obstructed.absolute / 2};
+  std::vector<Polygon> first{pair.first}, second{pair.second};
+  for (int k = 1; k <= kMostQuarterings && !result.settled; ++k) {
+    first = quartered(first);
+    second = quartered(second);
+    result = compared(mean_factor(first, pair.second, pair.blockers, of_parts),
+                      mean_factor(second, pair.first, pair.blockers, of_parts), ratio, tolerance.obstructed);
+    result.pair.quarterings = k;
+  }
+  return result.pair;
+}
+
+double allowed_error(const Tolerance& tolerance, double factor, double area_ratio) {
+  return std::max(tolerance.relative * factor, tolerance.absolute * std::max(1.0, 1 / area_ratio));
+}
+
+}  // namespace etendue
