@@ -31,7 +31,6 @@ namespace fs = std::filesystem;
 constexpr const char* kName = "render";
 constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
 constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
-constexpr double kMostExposure = 1e6;
 constexpr int kMostColumns = 1 << 14;
 
 struct Request {
@@ -212,7 +211,7 @@ void declare(Options& options, Request& request) {
   options.choice("--accelerator", {"bvh", "brute"}, "bounding volumes or every surface; same picture (default: bvh)",
                  request.accelerator);
   options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
-               request.exposure, 0, kMostExposure);
+               request.exposure, kLeastExposure, kMostExposure);
   options.text("--ray-tree", "COLUMN,ROW",
                "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
                request.pixel);

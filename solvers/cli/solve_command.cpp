@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
@@ -12,6 +13,7 @@
 #include "etendue/io/image_file.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
+#include "memory.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
@@ -24,15 +26,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kName = "solve";
-constexpr double kMostExposure = 1e12;  // beyond, no picture is meant
-constexpr int kMostSamples = 16;        // a side, 256 a pixel
+constexpr int kMostSamples = 16;  // a side, 256 a pixel
 
 struct Request {
   CommonOptions common;
   fs::path scene;
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
-  double exposure = 0;  ///< 0: so that white is the brightest surface that does not emit
+  double exposure =
+      0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
   int samples = 3;
 };
 
@@ -73,12 +75,21 @@ ImageMetadata metadata(const SolveReport& report, int samples) {
           {"etendue:values", "radiosity [W/m2]"}};
 }
 
-/// The pictures as files to be.
-Result<std::vector<NewFile>> make_pictures(SolveReport& report, const Request& request) {
+/// What the display of the solution needs, and NAME.json names.
+void prepare_view(SolveReport& report, const Request& request) {
   const Scene& scene = report.file.scene;
   report.vertices = vertex_radiosities(report.mesh, report.solution->radiosity, report.closure.covered);
   report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, report.mesh, report.vertices);
-  const auto picture = view_radiosities(scene.camera, report.mesh, report.vertices, scene.background, request.samples);
+}
+
+/// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
+Result<Done> write_pictures(SolveReport& report, const Request& request, std::ostream& err) {
+  const Scene& scene = report.file.scene;
+  const auto picture = [&] {
+    Progress progress(err, "picture", request.common);
+    return view_radiosities(scene.camera, report.mesh, report.vertices, scene.background, request.samples,
+                            execution(request.common, progress));
+  }();
   if (!picture) return picture.error();
   ImageMetadata facts = metadata(report, request.samples);
   report.exr = named(request, ".exr");
@@ -89,25 +100,43 @@ Result<std::vector<NewFile>> make_pictures(SolveReport& report, const Request& r
   facts.emplace_back("etendue:exposure", number(report.exposure));
   const auto png = encode_image(report.png, exposed(*picture, report.exposure), facts);
   if (!png) return png.error();
-  return std::vector<NewFile>{*exr, *png};
+  return write_files({*exr, *png});
+}
+
+/// Refuses a mesh whose matrix this machine cannot hold, before it is begun.
+Result<Done> check_memory(const ElementMesh& mesh) {
+  const auto available = available_memory();
+  const auto n = static_cast<double>(mesh.elements.size());
+  if (!available || n * n * kBytesAPair <= *available) return Done{};
+  const auto gigabytes = [](double bytes) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g GB", bytes / 1e9);
+    return std::string(text);
+  };
+  return Error{ErrorCode::input_output,
+               std::to_string(mesh.elements.size()) + " elements need " + gigabytes(n * n * kBytesAPair) +
+                   " of memory (" + number(kBytesAPair) + " bytes for each of n² pairs), " + gigabytes(*available) +
+                   " are available: divide the surfaces into fewer elements (\"elements\" of the objects)"};
 }
 
 void declare(Options& options, Request& request) {
   options.argument("SCENE", "scene file (JSON)", request.scene);
   options.choice("--solver", {"gauss", "eigen"}, "own Gaussian elimination or Eigen's LU (default: gauss)",
                  request.solver);
-  options.real("--tolerance", "T", "relative error asked of obstructed form factors (default: 1e-6)", request.tolerance,
-               1e-12, 0.1);
+  options.real("--tolerance", "T", "relative error asked of form factors past obstructions (default: 1e-6)",
+               request.tolerance, 1e-12, 0.1);
   options.real("--exposure", "F",
                "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
-               request.exposure, 0, kMostExposure);
+               request.exposure, kLeastExposure, kMostExposure);
   options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
   add_common(options, request.common,
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder)");
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
-      "After Ctrl-C the state of the matrix is saved as NAME.incomplete.json, and the exit code is 6.");
+      "Where form factors are less certain than --tolerance asks, everything is saved and the exit code is 4. After\n"
+      "Ctrl-C what is done, rows of the form-factor matrix or channels, is saved as NAME.incomplete.json, once all is\n"
+      "solved as NAME.json, and the exit code is 6.");
   options.example("etendue solve scenes/furnace/scene.json --output furnace.png");
   options.example("etendue solve scenes/furnace/scene.json --solver eigen --json --output furnace-eigen.png");
 }
@@ -126,22 +155,37 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
-  report.tolerance.obstructed = {request.tolerance, request.tolerance * 1e-3};
+  report.tolerance.obstructed = {request.tolerance, request.tolerance * kAbsoluteShare};
   auto mesh = mesh_elements(report.file.scene);
-  if (!mesh) return Error{mesh.error().code, request.scene.string() + ": " + mesh.error().message};
+  if (!mesh) return mesh.error();
   report.mesh = std::move(mesh).value();
+  if (const auto room = check_memory(report.mesh); !room) {
+    return Error{room.error().code, request.scene.string() + ": " + room.error().message};
+  }
   {
     Progress progress(err, "form factors", request.common);
     report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));
   }
   if (!report.matrix.complete) return report;
-  report.closure = closure_report(report.matrix);
+  report.closure = closure_report(report.mesh, report.matrix);
+  Progress progress(err, "elimination", request.common);
   auto solution =
       solve_scene_radiosity(report.file.scene, report.mesh, report.matrix,
-                            request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination);
+                            request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination,
+                            execution(request.common, progress));
   if (!solution) return solution.error();
   report.solution = std::move(solution).value();
   return report;
+}
+
+int stopped(std::ostream& err, const std::string& what) {
+  return fail(err, kName, {ErrorCode::stopped, "stopped; " + what});
+}
+
+/// What to end with, all being saved: 4 where the form factors are less certain than was asked, and why.
+int judged(const SolveReport& report, std::ostream& err) {
+  if (report.matrix.missed.pairs == 0) return 0;
+  return fail(err, kName, {ErrorCode::not_converged, missed_tolerance_text(report) + "; all was saved"});
 }
 
 }  // namespace
@@ -160,23 +204,27 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   if (!request.common.quiet) {
     for (const std::string& line : left_out(report.file.scene)) err << "etendue solve: left out: " << line << '\n';
   }
-  std::vector<NewFile> files;
-  if (report.solution) {
-    auto pictures = make_pictures(report, request);
-    if (!pictures) return fail(err, kName, pictures.error());
-    files = std::move(pictures).value();
+  if (is_solved(report)) prepare_view(report, request);
+  report.json = named(request, is_solved(report) ? ".json" : ".incomplete.json");
+  // Before the pictures: nothing that happens to them takes the radiosities away.
+  if (const auto written = write_file(report.json, full_json(report)); !written) {
+    return fail(err, kName, written.error());
   }
-  report.json = named(request, report.solution ? ".json" : ".incomplete.json");
+  std::optional<Error> lost;
+  if (is_solved(report)) {
+    const auto pictures = write_pictures(report, request, err);
+    if (!pictures) lost = pictures.error();
+  }
+  if (lost && lost->code != ErrorCode::stopped) return fail(err, kName, *lost);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  files.push_back({report.json, full_json(report)});
-  if (const auto written = write_files(files); !written) return fail(err, kName, written.error());
   if (request.common.json) {
     out << summary_json(report);
   } else if (!request.common.quiet) {
     print_summary(out, report);
   }
-  if (report.solution) return 0;
-  return fail(err, kName, {ErrorCode::stopped, "stopped; the state of the matrix is in " + quoted_path(report.json)});
+  if (lost) return stopped(err, "there are no pictures; the radiosities are in " + quoted_path(report.json));
+  if (is_solved(report)) return judged(report, err);
+  return stopped(err, "what was done is in " + quoted_path(report.json));
 }
 
 }  // namespace etendue::cli

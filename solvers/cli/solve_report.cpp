@@ -46,6 +46,48 @@ const std::string& object_name(const SolveReport& report, std::size_t element) {
   return report.file.scene.objects[report.mesh.face_of(report.mesh.elements[element]).object].name;
 }
 
+/// Objects of a pair of elements, as messages name them.
+std::string between(const SolveReport& report, std::size_t first, std::size_t second) {
+  return "elements " + std::to_string(first) + " (" + printable(object_name(report, first)) + ") and " +
+         std::to_string(second) + " (" + printable(object_name(report, second)) + ")";
+}
+
+/// What the elements see, in a word.
+const char* state(const ClosureReport& closure) {
+  if (closure.judged == 0) return "none to judge";
+  if (closure.exceeded > 0) return "exceeded";
+  return closure.open > 0 || closure.facing_void > 0 ? "open" : "closed";
+}
+
+Json closure_json(const ClosureReport& closure) {
+  Json json{{"state", state(closure)},
+            {"elements_closed", closure.closed},
+            {"elements_open", closure.open},
+            {"elements_exceeded", closure.exceeded},
+            {"elements_facing_void", closure.facing_void},
+            {"covered_elements", closure.covered}};
+  json["defect"] = closure.judged > 0 ? Json(closure.defect) : Json(nullptr);
+  json["worst_element"] = closure.judged > 0 ? Json(closure.worst) : Json(nullptr);
+  json["largest_row_bound"] = closure.largest_row_bound;
+  json["total_bound"] = closure.total_bound;
+  return json;
+}
+
+Json missed_json(const MissedTolerance& missed) {
+  Json json{{"pairs", missed.pairs}};
+  if (missed.pairs > 0) {
+    json["worst_elements"] = {missed.first, missed.second};
+    json["bound"] = missed.bound;
+    json["asked"] = missed.allowed;
+  }
+  return json;
+}
+
+const char* status(const SolveReport& report) {
+  if (!is_solved(report)) return "stopped";
+  return report.matrix.missed.pairs > 0 ? "tolerance missed" : "solved";
+}
+
 Json channel_summary(const ChannelRadiosity& channel) {
   return {{"residual", channel.solution.residual},
           {"bound", channel.solution.bound},
@@ -63,7 +105,7 @@ Json summary(const SolveReport& report) {
   Json json;
   json["program"] = std::string("etendue ") + version();
   json["method"] = "radiosity, full matrix";
-  json["status"] = report.solution ? "solved" : "stopped";
+  json["status"] = status(report);
   json["scene"] = {{"name", report.file.scene.name},
                    {"hash", report.file.hash},
                    {"metres_per_unit", report.file.scene.metres_per_unit}};
@@ -77,22 +119,21 @@ Json summary(const SolveReport& report) {
                    {"blocked", matrix.pairs.blocked},
                    {"obstructed", matrix.pairs.obstructed}};
   json["reciprocity"] = {{"pairs_checked", matrix.reciprocity.pairs},
+                         {"pairs_refined", matrix.reciprocity.refined},
                          {"pairs_beyond_bounds", matrix.reciprocity.disagreements},
                          {"defect", matrix.reciprocity.defect}};
-  if (report.solution) {
-    json["closure"] = {{"defect", report.closure.defect},
-                       {"worst_element", report.closure.worst},
-                       {"covered_elements", report.closure.covered},
-                       {"largest_row_bound", report.closure.largest_row_bound},
-                       {"total_bound", report.closure.total_bound}};
-    for (std::size_t c = 0; c < 3; ++c) json["channels"][kChannels[c]] = channel_summary(report.solution->channels[c]);
-    json["vertices"] = {{"distinct", report.vertices.vertices},
-                        {"clamped", report.vertices.clamped},
-                        {"without_inner_neighbour", report.vertices.without_interior}};
-    json["exposure"] = report.exposure;
-  } else {
-    json["rows_done"] = rows_done(report);
+  json["missed_tolerance"] = missed_json(matrix.missed);
+  json["rows_done"] = rows_done(report);
+  if (!report.solution) return json;
+  json["closure"] = closure_json(report.closure);
+  for (std::size_t c = 0; c < report.solution->solved; ++c) {
+    json["channels"][kChannels[c]] = channel_summary(report.solution->channels[c]);
   }
+  if (!is_solved(report)) return json;
+  json["vertices"] = {{"distinct", report.vertices.vertices},
+                      {"clamped", report.vertices.clamped},
+                      {"without_inner_neighbour", report.vertices.without_interior}};
+  json["exposure"] = report.exposure;
   return json;
 }
 
@@ -110,6 +151,7 @@ Json element_json(const SolveReport& report, std::size_t k) {
             {"emission", triple(material.emission)}};
   if (report.solution) {
     json["radiosity"] = triple(report.solution->radiosity[k]);
+    for (std::size_t c = report.solution->solved; c < 3; ++c) json["radiosity"][c] = nullptr;
     json["row_sum"] = report.closure.row_sums(static_cast<Eigen::Index>(k));
   } else {
     json["row_done"] = static_cast<bool>(report.matrix.row_done[k]);
@@ -117,12 +159,70 @@ Json element_json(const SolveReport& report, std::size_t k) {
   return json;
 }
 
+/// Adds to a report what each row that is done computed, the part right of the diagonal, one line a row. The text may be
+/// as large as the matrix: it is not copied.
+std::string with_rows(std::string text, const FormFactorMatrix& matrix) {
+  const std::string end = "\n}\n";
+  text.resize(text.size() - end.size());
+  text += ",\n \"rows\": [";
+  const char* separator = "\n  ";
+  for (Eigen::Index i = 0, n = matrix.factors.rows(); i < n; ++i) {
+    if (!matrix.row_done[static_cast<std::size_t>(i)]) continue;
+    Json row{{"row", i}, {"factors", Json::array()}, {"bounds", Json::array()}};
+    for (Eigen::Index j = i + 1; j < n; ++j) {
+      row["factors"].push_back(matrix.factors(i, j));
+      row["bounds"].push_back(matrix.bounds(i, j));
+    }
+    text += separator + row.dump();
+    separator = ",\n  ";
+  }
+  text += "]" + end;
+  return text;
+}
+
+void print_closure(std::ostream& out, const SolveReport& report) {
+  const ClosureReport& closure = report.closure;
+  out << "closure      " << state(closure);
+  if (closure.closed > 0 && closure.closed == closure.judged) {
+    out << ": " << closure.closed << " elements see 1 to within " << rounded(closure.defect);
+  } else if (closure.judged > 0) {
+    out << ": " << closure.closed << " elements see 1 to within their bounds, " << closure.open << " less, "
+        << closure.exceeded << " more; by " << rounded(closure.defect) << " at most";
+  } else {
+    out << ": no element sees the front of another";
+  }
+  if (closure.judged > 0) {
+    out << ", at element " << closure.worst << " (" << printable(object_name(report, closure.worst))
+        << "); bounds of a row sum to " << rounded(closure.largest_row_bound) << " at most";
+  }
+  out << '\n';
+  if (!closure.covered.empty()) {
+    out << "covered      " << closure.covered.size()
+        << " elements lie inside or under other surfaces and see no front\n";
+  }
+  if (closure.facing_void > 0) {
+    out << "void         " << closure.facing_void << " elements see no front and face the void\n";
+  }
+}
+
 }  // namespace
+
+bool is_solved(const SolveReport& report) {
+  return report.solution && report.solution->solved == report.solution->channels.size();
+}
+
+std::string missed_tolerance_text(const SolveReport& report) {
+  const MissedTolerance& missed = report.matrix.missed;
+  return "tolerance not reached: the form factors of " + std::to_string(missed.pairs) + " pairs of " +
+         "elements are known less well than --tolerance " + rounded(report.tolerance.obstructed.relative) +
+         " asks; worst between " + between(report, missed.first, missed.second) + ": known to within " +
+         rounded(missed.bound) + ", asked " + rounded(missed.allowed);
+}
 
 std::string summary_json(const SolveReport& report) {
   Json json = summary(report);
   json["files"] = {{"scene", report.scene_path.string()}, {"json", report.json.string()}};
-  if (report.solution) {
+  if (!report.png.empty()) {
     json["files"]["exr"] = report.exr.string();
     json["files"]["png"] = report.png.string();
   }
@@ -134,7 +234,7 @@ std::string full_json(const SolveReport& report) {
   Json json = summary(report);
   json["elements"] = Json::array();
   for (std::size_t k = 0; k < report.mesh.elements.size(); ++k) json["elements"].push_back(element_json(report, k));
-  return dumped(json);
+  return is_solved(report) ? dumped(json) : with_rows(dumped(json), report.matrix);
 }
 
 void print_summary(std::ostream& out, const SolveReport& report) {
@@ -147,19 +247,18 @@ void print_summary(std::ostream& out, const SolveReport& report) {
       << "pairs        " << matrix.pairs.clear << " clear, " << matrix.pairs.obstructed << " obstructed, "
       << matrix.pairs.blocked << " blocked, " << matrix.pairs.averted << " averted\n"
       << "reciprocity  " << rounded(matrix.reciprocity.defect) << " at most over " << matrix.reciprocity.pairs
-      << " pairs computed from both sides; " << matrix.reciprocity.disagreements << " beyond their bounds\n";
+      << " pairs computed from both sides; " << matrix.reciprocity.disagreements << " beyond their bounds\n"
+      << "tolerance    " << rounded(report.tolerance.obstructed.relative) << ": "
+      << (matrix.missed.pairs == 0 ? (matrix.complete ? "kept by all pairs" : "kept by the pairs that are done")
+                                   : "missed by " + std::to_string(matrix.missed.pairs) + " pairs")
+      << "; " << matrix.reciprocity.refined << " were computed in parts until both sides agreed\n";
   if (!report.solution) {
-    out << "stopped      " << rows_done(report) << " of " << report.mesh.elements.size() << " rows are done\n";
+    out << "stopped      " << rows_done(report) << " of " << report.mesh.elements.size() << " rows are done\n"
+        << report.json.string() << '\n';
     return;
   }
-  out << "closure      1 to within " << rounded(report.closure.defect) << ", worst at element " << report.closure.worst
-      << " (" << printable(object_name(report, report.closure.worst)) << "); bounds of a row sum to "
-      << rounded(report.closure.largest_row_bound) << " at most\n";
-  if (!report.closure.covered.empty()) {
-    out << "covered      " << report.closure.covered.size()
-        << " elements see nothing and are left out of the closure\n";
-  }
-  for (std::size_t c = 0; c < 3; ++c) {
+  print_closure(out, report);
+  for (std::size_t c = 0; c < report.solution->solved; ++c) {
     const ChannelRadiosity& channel = report.solution->channels[c];
     out << kChannels[c] << std::string(13 - std::string(kChannels[c]).size(), ' ') << "residual "
         << rounded(channel.solution.residual) << ", bound " << rounded(channel.solution.bound) << " (with form factors "
@@ -167,13 +266,17 @@ void print_summary(std::ostream& out, const SolveReport& report) {
         << rounded(channel.balance.absorbed) << " absorbed, " << rounded(channel.balance.escaped) << " escaped, "
         << rounded(channel.balance.defect) << " unaccounted for\n";
   }
+  if (!is_solved(report)) {
+    out << "stopped      " << report.solution->solved << " of 3 channels are solved\n" << report.json.string() << '\n';
+    return;
+  }
   out << "vertices     " << report.vertices.vertices << "; " << report.vertices.clamped
       << " negative extrapolations set to 0\n"
       << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n"
-      << "time         " << rounded(report.seconds) << " s\n"
-      << report.exr.string() << '\n'
-      << report.png.string() << '\n'
-      << report.json.string() << '\n';
+      << "time         " << rounded(report.seconds) << " s\n";
+  for (const auto& path : {report.exr, report.png, report.json}) {
+    if (!path.empty()) out << path.string() << '\n';
+  }
 }
 
 }  // namespace etendue::cli

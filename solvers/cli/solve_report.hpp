@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
@@ -21,12 +22,18 @@ struct SolveReport {
   ElementMesh mesh;
   FormFactorMatrix matrix;
   ClosureReport closure;
-  std::optional<SceneRadiosity> solution;  ///< nothing when stopped
+  std::optional<SceneRadiosity> solution;  ///< nothing when stopped before; of some channels when stopped on the way
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;
   std::filesystem::path exr, png, json;
 };
+
+/// Are all channels solved?
+[[nodiscard]] bool is_solved(const SolveReport& report);
+
+/// How many pairs miss the tolerance, which is the worst, what was reached and what was asked.
+[[nodiscard]] std::string missed_tolerance_text(const SolveReport& report);
 
 /// The summary as a person reads it.
 void print_summary(std::ostream& out, const SolveReport& report);
@@ -34,8 +41,10 @@ void print_summary(std::ostream& out, const SolveReport& report);
 /// The summary as a machine reads it: one JSON object, numbers to the last bit.
 [[nodiscard]] std::string summary_json(const SolveReport& report);
 
-/// Summary and every element: object, patch, centroid, area, normal, emission, radiosity, row sum. When stopped, which
-/// rows of the matrix are done instead of radiosities. Equal results are equal bytes: no times, no paths.
+/// Summary and every element: object, patch, centroid, area, normal, emission, radiosity, row sum. When stopped
+/// (NAME.incomplete.json), the radiosities of the channels that are solved, and "rows": of each row i that is done the
+/// form factors F_ij and their bounds for j = i + 1 … n − 1; F_ji = A_i F_ij / A_j. Numbers are written so that they
+/// read as the same double. Equal results are equal bytes: no times, no paths.
 [[nodiscard]] std::string full_json(const SolveReport& report);
 
 }  // namespace etendue::cli

@@ -8,6 +8,8 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -45,12 +47,46 @@ std::vector<std::string> environment(const ProcessOptions& options) {
   return all;
 }
 
+/// A terminal that shows what a program writes to it.
+class Terminal {
+ public:
+  Terminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)) {
+    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) throw std::runtime_error("no terminal");
+    char name[64];
+    if (::ptsname_r(master_, name, sizeof name) != 0) throw std::runtime_error("no terminal");
+    slave_ = ::open(name, O_RDWR | O_NOCTTY | O_CLOEXEC);  // held, or it would close before the program opens its own
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  ~Terminal() {
+    ::close(slave_);
+    ::close(master_);
+  }
+
+  int slave() const { return slave_; }
+
+  /// Everything written to it so far.
+  const std::string& text() {
+    char piece[4096];
+    for (ssize_t got = 0; (got = ::read(master_, piece, sizeof piece)) > 0;) {
+      text_.append(piece, static_cast<std::size_t>(got));
+    }
+    return text_;
+  }
+
+ private:
+  int master_ = -1, slave_ = -1;
+  std::string text_;
+};
+
 /// Waits for the end; interrupts and kills when it is time.
-int wait_for(pid_t process, Clock::time_point begin, double interrupt_after) {
+int wait_for(pid_t process, Clock::time_point begin, const ProcessOptions& options, Terminal* terminal) {
   int status = 0;
-  bool interrupted = interrupt_after <= 0;
+  bool interrupted = options.interrupt_after <= 0 && !terminal;
   while (::waitpid(process, &status, WNOHANG) == 0) {
-    if (!interrupted && seconds_since(begin) >= interrupt_after) {
+    const bool now = terminal ? terminal->text().find(options.interrupt_at) != std::string::npos
+                              : seconds_since(begin) >= options.interrupt_after;
+    if (!interrupted && now) {
       ::kill(process, SIGINT);
       interrupted = true;
     }
@@ -69,7 +105,9 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   const auto err = folder.path() / "err";
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = environment(options);
+  ProcessOptions named = options;
+  if (!options.interrupt_at.empty()) named.environment.emplace_back("TERM", "xterm");  // or no progress would be shown
+  std::vector<std::string> variables = environment(named);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -82,7 +120,13 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   } else {
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   }
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  std::unique_ptr<Terminal> terminal;
+  if (options.interrupt_at.empty()) {
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
+  } else {
+    terminal = std::make_unique<Terminal>();
+    posix_spawn_file_actions_adddup2(&actions, terminal->slave(), STDERR_FILENO);
+  }
 
   // A background job ignores interrupts, this program a closed pipe and a limit on files, and so would its children:
   // these start as from a terminal.
@@ -104,12 +148,12 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   if (failure != 0) throw std::runtime_error("cannot start " + program.string());
 
   Ended ended;
-  const int status = wait_for(process, begin, options.interrupt_after);
+  const int status = wait_for(process, begin, options, terminal.get());
   ended.seconds = seconds_since(begin);
   if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
   if (options.out.empty() && !options.closed_pipe) ended.out = read_text(out);
-  ended.err = read_text(err);
+  ended.err = terminal ? terminal->text() : read_text(err);
   return ended;
 }
 

@@ -7,6 +7,10 @@
 
 namespace etendue {
 
+/// Exposures that the programs take; zero would make every picture black, beyond no picture is meant.
+inline constexpr double kLeastExposure = 1e-12;
+inline constexpr double kMostExposure = 1e12;
+
 /// The picture with every value multiplied by `factor`: what a longer or shorter exposure shows. With
 /// factor = 1 / brightness(image).largest nothing overflows and all ratios are kept.                @eq IU.2.8
 [[nodiscard]] Image exposed(const Image& image, double factor);

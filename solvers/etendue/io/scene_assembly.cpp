@@ -169,7 +169,7 @@ class Assembly {
     const auto material = read_material_name(node);
     const Subdivision subdivision = read_subdivision(node);
     auto shape = read_shape(node, *type, placement);
-    if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision});
+    if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
   }
 
   std::optional<std::size_t> read_material_name(const SceneNode& node) {

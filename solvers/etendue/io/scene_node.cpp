@@ -27,14 +27,18 @@ std::string quoted(const std::vector<std::string>& words) {
   return text;
 }
 
+/// "scene.json:29:5: /objects/1"
+std::string located(const std::string& name, const Place& place, const std::string& pointer) {
+  constexpr std::size_t kLongestPointer = 200;
+  const std::string text = printable(name) + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+  return pointer.empty() ? text : text + ": " + printable(pointer, kLongestPointer);
+}
+
 }  // namespace
 
 void SceneErrors::add(std::size_t file, const std::string& name, const JsonProblem& problem) {
-  constexpr std::size_t kLongestPointer = 200;
-  const std::string place = std::to_string(problem.place.line) + ":" + std::to_string(problem.place.column);
-  const std::string pointer = problem.pointer.empty() ? "" : printable(problem.pointer, kLongestPointer) + ": ";
   entries_.push_back(
-      {file, problem.place, printable(name) + ":" + place + ": " + pointer + printable(problem.message)});
+      {file, problem.place, located(name, problem.place, problem.pointer) + ": " + printable(problem.message)});
 }
 
 std::string SceneErrors::text() const {
@@ -59,6 +63,10 @@ SceneNode SceneNode::at(const JsonValue& json, std::string pointer) const {
   SceneNode node(json, file_, *name_, *errors_);
   node.pointer_ = std::move(pointer);
   return node;
+}
+
+std::string SceneNode::where() const {
+  return located(*name_, json_->place, pointer_);
 }
 
 void SceneNode::complain(const std::string& message) const {

@@ -56,6 +56,8 @@ class SceneNode {
 
   const JsonValue& json() const { return *json_; }
   const std::string& pointer() const { return pointer_; }
+  /// File, line, column and pointer, as messages begin: "scene.json:29:5: /objects/1".
+  [[nodiscard]] std::string where() const;
 
   /// Reports "found <this value>, expected …" here.
   void expected(const std::string& what) const;

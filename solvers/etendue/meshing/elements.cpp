@@ -23,7 +23,9 @@ struct Builder {
   std::optional<Error> error;
 
   void refuse(const std::string& what) {
-    if (!error) error = Error{ErrorCode::invalid_input, "object '" + printable(object.name) + "' " + what};
+    if (error) return;
+    const std::string place = object.place.empty() ? "" : object.place + ": ";
+    error = Error{ErrorCode::invalid_input, place + "object '" + printable(object.name) + "' " + what};
   }
 
   std::optional<Polygon> polygon(std::vector<Vec3> vertices) {
@@ -116,6 +118,13 @@ struct Builder {
   void operator()(const Plane&) { refuse("is an infinite plane: radiosity elements are bounded; use a polygon"); }
 };
 
+// One line each and their number, as the scene reader has it.
+std::string listed(const std::vector<std::string>& errors) {
+  std::string text;
+  for (const std::string& error : errors) text += error + "\n";
+  return text + std::to_string(errors.size()) + (errors.size() == 1 ? " error" : " errors");
+}
+
 }  // namespace
 
 double diagonal(const ElementMesh& mesh) {
@@ -142,11 +151,13 @@ bool is_convex(const Polygon& polygon) {
 
 Result<ElementMesh> mesh_elements(const Scene& scene) {
   ElementMesh mesh;
+  std::vector<std::string> errors;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     Builder builder{scene.objects[k], k, mesh, std::nullopt};
     std::visit([&builder](const auto& shape) { builder(shape); }, scene.objects[k].shape);
-    if (builder.error) return *builder.error;
+    if (builder.error) errors.push_back(builder.error->message);
   }
+  if (!errors.empty()) return Error{ErrorCode::invalid_input, listed(errors)};
   if (mesh.elements.empty()) return Error{ErrorCode::invalid_input, "the scene has no surface"};
   return mesh;
 }

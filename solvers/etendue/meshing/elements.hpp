@@ -53,8 +53,8 @@ inline constexpr double kStraightTurn = 0x1p-40;
 ///           takes part, whatever its reflectance: a black wall still closes the room
 /// Returns   faces, elements and patches; neighbouring elements of a face share their corners to the last bit
 /// Errors    spheres, discs, cylinders and infinite planes (elements are flat and bounded), concave polygons, a
-///           subdivision of what is no quadrilateral, patches that do not divide elements; the message names the object
-///           and says what to use instead
+///           subdivision of what is no quadrilateral, patches that do not divide elements; one line for
+///           each object that has one: its place in the file, its name, and what to use instead; and their count
 [[nodiscard]] Result<ElementMesh> mesh_elements(const Scene& scene);
 
 }  // namespace etendue

@@ -70,6 +70,7 @@ struct Object {
   Shape shape;
   std::size_t material = 0;  ///< index into Scene::materials
   Subdivision subdivision;
+  std::string place = {};  ///< "scene.json:29:5: /objects/1", for messages; empty where it was not read from a file
 };
 
 struct Scene {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "memory.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+namespace etendue::cli {
+
+namespace {
+
+/// The number in the first line of a file; nothing where there is none ("max" is no number).
+std::optional<double> number_in(const char* path) {
+  std::ifstream file(path);
+  double value = 0;
+  if (file >> value) return value;
+  return std::nullopt;
+}
+
+std::optional<double> of_the_machine() {
+  std::ifstream file("/proc/meminfo");
+  std::string key, unit;
+  for (double kibibytes = 0; file >> key >> kibibytes && std::getline(file, unit);) {
+    if (key == "MemAvailable:") return kibibytes * 1024;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> of_the_group() {
+  const auto most = number_in("/sys/fs/cgroup/memory.max"), used = number_in("/sys/fs/cgroup/memory.current");
+  if (!most || !used) return std::nullopt;
+  return std::max(0.0, *most - *used);
+}
+
+std::optional<double> of_the_process() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  const auto pages = number_in("/proc/self/statm");  // its first number: all of the address space
+  if (!pages) return std::nullopt;
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - *pages * static_cast<double>(sysconf(_SC_PAGESIZE)));
+}
+
+}  // namespace
+
+std::optional<double> available_memory() {
+  std::optional<double> least;
+  for (const auto& one : {of_the_machine(), of_the_group(), of_the_process()}) {
+    if (one && (!least || *one < *least)) least = one;
+  }
+  return least;
+}
+
+}  // namespace etendue::cli
