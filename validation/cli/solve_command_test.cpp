@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "support/evidence.hpp"
+#include "support/process.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace etendue::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string furnace_text() {
+  return read_text(source_root() / "scenes" / "furnace" / "scene.json");
+}
+
+std::string replaced(std::string text, const std::string& original, const std::string& instead) {
+  const std::size_t at = text.find(original);
+  require(at != std::string::npos, "replaced: the scene holds what is to be replaced");
+  return text.replace(at, original.size(), instead);
+}
+
+// The furnace with further objects before its own.
+std::string furnace_with(const std::string& objects) {
+  return replaced(furnace_text(), "\"objects\": [", "\"objects\": [" + objects + ",");
+}
+
+const char* const kScreen =
+    R"({"type": "polygon", "name": "screen", "material": "glowing",
+        "vertices": [[0.5, 1, 0.4], [1.4, 1.3, 0.4], [1.4, 1.3, 1.1], [0.5, 1, 1.1]]})";
+
+// One polygon of n × n elements.
+std::string plate_text(int n) {
+  return R"({"format": "etendue-scene", "version": 1, "unit": "m", "materials": {"grey": {"rho": 0.5, "emission": 1}},
+ "camera": {"eye": [0.5, 0.5, 2], "look_at": [0.5, 0.5, 0], "up": [0, 1, 0], "horizontal_fov_deg": 60,
+            "resolution": [16, 16]},
+ "objects": [{"type": "polygon", "name": "plate", "material": "grey", "elements": [)" +
+         std::to_string(n) + ", " + std::to_string(n) + R"(],
+              "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}]})";
+}
+
+Ended solve(const std::filesystem::path& scene, std::vector<std::string> more, const ProcessOptions& options = {}) {
+  more.insert(more.begin(), {"solve", scene.string(), "--output", (scene.parent_path() / "out.png").string()});
+  return run_etendue(more, options);
+}
+
+bool says(const Ended& ended, const std::string& words) {
+  return (ended.out + ended.err).find(words) != std::string::npos;
+}
+
+// CLAIM      Where form factors are less certain than --tolerance asks, solve ends with 4, saves everything, and names
+//            the number of pairs, the worst pair, its bound and what was asked; where they are not, it ends with 0.
+// ORACLE     identity: the same scene with a tolerance that is kept, and with one below what double carries.
+// TOLERANCE  none.
+TEST(SolveCommand, EndsWith4WhenTheToleranceIsMissed) {
+  proves({}, Oracle::identity, "exit code, files and message");
+  const TemporaryFolder folder;
+  // One element a wall: what cannot be reached is tried for long.
+  const std::regex divisions(", \"elements\": \\[[0-9], [0-9]\\]");
+  const auto scene = folder.add("screened.json", std::regex_replace(furnace_with(kScreen), divisions, ""));
+  const Ended kept = solve(scene, {"--tolerance", "1e-3"});
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  EXPECT_EQ(kept.err, "");
+  EXPECT_TRUE(holds(says(kept, "tolerance    0.001: kept by all pairs"))) << kept.out;
+  const Ended missed = solve(scene, {"--tolerance", "1e-12", "--json"});
+  EXPECT_TRUE(holds(missed.code == 4)) << missed.code << missed.err;
+  EXPECT_EQ(folder.contents(), "out.exr out.json out.png screened.json");
+  const Json report = Json::parse(read_text(folder.path() / "out.json"));
+  EXPECT_EQ(report["status"], "tolerance missed");
+  const Json& worst = report["missed_tolerance"];
+  EXPECT_TRUE(holds(worst["pairs"] > 0 && worst["bound"] > worst["asked"]));
+  EXPECT_EQ(report, [&] {
+    Json summary = Json::parse(missed.out);
+    summary.erase("files");
+    summary.erase("seconds");
+    summary["elements"] = report["elements"];
+    return summary;
+  }());
+  const auto object = [&](std::size_t k) {
+    return report["elements"][worst["worst_elements"][k].get<std::size_t>()]["object"].get<std::string>();
+  };
+  for (const std::string& words :
+       std::vector<std::string>{"etendue solve: tolerance not reached: ", worst["pairs"].dump() + " pairs",
+                                "(" + object(0) + ")", "(" + object(1) + ")", "--tolerance 1e-12", "all was saved"}) {
+    EXPECT_TRUE(holds(says({0, 0, "", missed.err, 0}, words))) << words << " in " << missed.err;
+  }
+}
+
+// CLAIM      Interrupted in the form factors, solve ends with 6 and saves the factors and bounds of the rows that are
+//            done.
+// ORACLE     identity: closure of the rows of a box, F_ij = A_j F_ji / A_i from the rows above.
+// TOLERANCE  the bounds saved with them, and 400 roundings of sums of 311 terms.
+TEST(SolveCommand, SavesTheRowsThatAreDoneWhenInterrupted) {
+  proves({}, Oracle::identity, "closure of the saved rows");
+  const TemporaryFolder folder;
+  // Twelve times the elements of floor and ceiling last long enough to be interrupted.
+  std::string text = replaced(furnace_text(), "[4, 3]", "[12, 12]");
+  const auto scene = folder.add("fine.json", replaced(text, "[3, 4]", "[12, 12]"));
+  ProcessOptions options;
+  options.interrupt_at = "form factors [";
+  const Ended ended = solve(scene, {"--threads", "1"}, options);
+  EXPECT_EQ(ended.signal, 0);
+  EXPECT_TRUE(holds(ended.code == 6)) << ended.code << ended.err;
+  EXPECT_TRUE(holds(says(ended, "stopped; what was done is in"))) << ended.err;
+  EXPECT_EQ(folder.contents(), "fine.json out.incomplete.json");
+  const Json report = Json::parse(read_text(folder.path() / "out.incomplete.json"));
+  EXPECT_EQ(report["status"], "stopped");
+  const Json& elements = report["elements"];
+  const Json& rows = report["rows"];
+  EXPECT_TRUE(holds(rows.size() > 0 && rows.size() == report["rows_done"])) << rows.size();
+  std::size_t next = 0;
+  for (const Json& row : rows) {
+    const auto i = row["row"].get<std::size_t>();
+    EXPECT_EQ(i, next++) << "one thread: in order";
+    EXPECT_EQ(elements[i]["row_done"], true);
+    EXPECT_EQ(row["factors"].size(), elements.size() - i - 1);
+    EXPECT_EQ(row["bounds"].size(), elements.size() - i - 1);
+    double sum = 0, bound = 400 * 0x1p-53;
+    for (std::size_t j = i + 1; j < elements.size(); ++j) {
+      sum += row["factors"][j - i - 1].get<double>();
+      bound += row["bounds"][j - i - 1].get<double>();
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const double ratio = elements[j]["area"].get<double>() / elements[i]["area"].get<double>();
+      sum += rows[j]["factors"][i - j - 1].get<double>() * ratio;
+      bound += rows[j]["bounds"][i - j - 1].get<double>() * ratio;
+    }
+    EXPECT_TRUE(near(sum, 1, bound));
+  }
+}
+
+// CLAIM      Interrupted while the picture is drawn, solve ends with 6; the radiosities are saved before it begins.
+// ORACLE     closed form: E/(1 − ρ) on every element of the furnace.
+// TOLERANCE  the bound with form factors that the report states.
+TEST(SolveCommand, KeepsTheRadiositiesWhenInterruptedInThePicture) {
+  proves({}, Oracle::closed_form, "E/(1 − ρ) in the saved report");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("large.json", replaced(furnace_text(), "[64, 48]", "[1600, 1200]"));
+  ProcessOptions options;
+  options.interrupt_at = "picture [";
+  const Ended ended = solve(scene, {"--samples", "2"}, options);
+  EXPECT_EQ(ended.signal, 0);
+  EXPECT_TRUE(holds(ended.code == 6)) << ended.code << ended.err;
+  EXPECT_TRUE(holds(says(ended, "stopped; there are no pictures; the radiosities are in"))) << ended.err;
+  EXPECT_EQ(folder.contents(), "large.json out.json");
+  const Json report = Json::parse(read_text(folder.path() / "out.json"));
+  const double expected[] = {3, 8, 10};
+  const char* const channels[] = {"red", "green", "blue"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double bound = report["channels"][channels[c]]["bound_with_form_factors"].get<double>();
+    for (const Json& element : report["elements"]) {
+      EXPECT_TRUE(near(element["radiosity"][c].get<double>(), expected[c], bound));
+    }
+  }
+}
+
+// CLAIM      A scene that is open, or in which nothing sees anything, is called that; its elements are not called
+//            covered.
+// ORACLE     exact: the words.
+// TOLERANCE  none.
+TEST(SolveCommand, SaysWhetherASceneIsClosed) {
+  proves({}, Oracle::exact, "the words");
+  const TemporaryFolder folder;
+  const auto closed = folder.add("closed.json", furnace_text());
+  EXPECT_TRUE(holds(says(solve(closed, {}), "closure      closed: 48 elements see 1 to within ")));
+  const auto plate = folder.add("plate.json", plate_text(2));
+  const Ended alone = solve(plate, {});
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_TRUE(holds(says(alone, "closure      none to judge: no element sees the front of another\n"))) << alone.out;
+  EXPECT_TRUE(holds(says(alone, "void         4 elements see no front and face the void\n"))) << alone.out;
+  EXPECT_TRUE(holds(!says(alone, "covered"))) << alone.out;
+  std::string text = furnace_text();
+  const std::size_t side = text.rfind(",\n    {\"type\": \"polygon\", \"name\": \"near\"");
+  text.replace(side, text.rfind("\n  ]") - side, "");
+  const Ended open = solve(folder.add("open.json", text), {});
+  EXPECT_TRUE(holds(says(open, "closure      open: 0 elements see 1 to within their bounds, 47 less, 0 more")))
+      << open.out;
+}
+
+// CLAIM      What radiosity cannot divide is refused with 3: every object of the file, each with file, line, column,
+//            pointer and name, which cannot steer a terminal.
+// ORACLE     exact: the places, counted by hand.
+// TOLERANCE  none.
+TEST(SolveCommand, RefusesEveryObjectThatItCannotDivide) {
+  proves({}, Oracle::exact, "places counted by hand");
+  const TemporaryFolder folder;
+  const auto scene =
+      folder.add("curved.json", furnace_with("{\"type\": \"sphere\", \"name\": \"ball\\u001b[2J\", \"material\": "
+                                             "\"glowing\", \"centre\": [1, 1, 1], \"radius\": 0.2},\n"
+                                             "{\"type\": \"disc\", \"material\": \"glowing\", \"centre\": [1, 1, 1], "
+                                             "\"normal\": [0, 0, 1], \"radius\": 1}"));
+  const Ended ended = solve(scene, {});
+  EXPECT_TRUE(holds(ended.code == 3)) << ended.code;
+  EXPECT_EQ(folder.contents(), "curved.json");
+  EXPECT_TRUE(holds(says(ended, scene.string() + ":18:15: /objects/0: object 'ball"))) << ended.err;
+  EXPECT_TRUE(holds(says(ended, "is a sphere: radiosity elements are flat"))) << ended.err;
+  EXPECT_TRUE(holds(says(ended, scene.string() + ":19:1: /objects/1: object '/objects/1' is a disc"))) << ended.err;
+  EXPECT_TRUE(holds(says(ended, "\n2 errors\n"))) << ended.err;
+  EXPECT_EQ(ended.err.find('\x1b'), std::string::npos) << ended.err;
+
+  const auto wrong = folder.add("wrong.json", replaced(replaced(furnace_text(), "\"left\", \"material\": \"glowing\"",
+                                                                "\"left\", \"material\": \"glowin\""),
+                                                       "\"horizontal_fov_deg\": 90", "\"horizontal_fov_deg\": 190"));
+  const Ended both = solve(wrong, {});
+  EXPECT_TRUE(holds(both.code == 3)) << both.code;
+  EXPECT_TRUE(holds(says(both, wrong.string() + ":12:27: /camera/horizontal_fov_deg: found 190"))) << both.err;
+  EXPECT_TRUE(holds(says(both, wrong.string() + ":23:53: /objects/2/material: "))) << both.err;
+  EXPECT_TRUE(holds(says(both, "\n2 errors\n"))) << both.err;
+}
+
+// CLAIM      A mesh whose matrix cannot be held is refused with 5 before it is begun: elements, bytes, and what to do.
+// ORACLE     closed form: 40 n² bytes.
+// TOLERANCE  none: the printed digits.
+TEST(SolveCommand, RefusesAMatrixThatNoMemoryHolds) {
+  proves({}, Oracle::closed_form, "40 n² bytes");
+  const TemporaryFolder folder;
+  const Ended ended = solve(folder.add("huge.json", plate_text(600)), {});
+  EXPECT_TRUE(holds(ended.code == 5)) << ended.code;
+  // 360,000² · 40 = 5.184e12 bytes.
+  EXPECT_TRUE(
+      holds(says(ended, "huge.json: 360000 elements need 5.18e+03 GB of memory (40 bytes for each of n² pairs), ")))
+      << ended.err;
+  EXPECT_TRUE(holds(says(ended, "divide the surfaces into fewer elements"))) << ended.err;
+  EXPECT_EQ(folder.contents(), "huge.json");
+}
+
+// CLAIM      An exposure of zero, which would make every picture black, is refused by both commands.
+// ORACLE     exact: exit code and message.
+// TOLERANCE  none.
+TEST(SolveCommand, RefusesAnExposureOfZero) {
+  proves({}, Oracle::exact, "exit code and message");
+  const std::string scene = (source_root() / "scenes" / "furnace" / "scene.json").string();
+  for (const std::string command : {"solve", "render"}) {
+    const Ended ended = run_etendue({command, scene, "--exposure", "0"});
+    EXPECT_TRUE(holds(ended.code == 2)) << command << ended.code;
+    EXPECT_TRUE(holds(says(ended, "option '--exposure': found '0', expected a number in [1e-12, 1e+12]"))) << ended.err;
+  }
+}
+
+}  // namespace
+}  // namespace etendue::validation
