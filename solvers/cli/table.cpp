@@ -6,6 +6,7 @@
 #include <new>
 #include <ostream>
 
+#include "catalogue_command.hpp"
 #include "etendue/core/contract.hpp"
 #include "etendue/core/result.hpp"
 #include "etendue/core/version.hpp"
@@ -83,6 +84,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"solve", "solve a scene by radiosity", solve},
       {"render", "render a scene by ray tracing", render},
+      {"catalogue", "closed-form form factors: list, page, picture, value", catalogue},
       {"validate", "check every claim against its oracle", validate},
   };
   return table;
