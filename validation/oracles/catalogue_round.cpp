@@ -13,16 +13,22 @@ Wide ring_to_ring(Wide r, Wide rho, Wide h, Wide widest) {
     const Wide square = (r - rho) * (r - rho) + 4 * r * rho * std::sin(t / 2) * std::sin(t / 2) + h * h;
     return h * h / (kWidePi * square * square);
   };
-  return 2 * integrate(0, widest, at);
+  const Wide near = std::min(std::hypot(r - rho, h) / std::max(r, rho), widest);
+  return 2 * (integrate_coarse(0, near, at) + integrate_coarse(near, widest, at));
 }
 
 /// From one annulus to another, per area of the first.
 Wide annuli(Wide r1, Wide r2, Wide r3, Wide r4, Wide h) {
-  const Wide sum = integrate_coarse(r1, r2, [&](Wide r) {
+  const auto from = [&](Wide r) {
     const auto at = [&](Wide rho) { return r * rho * ring_to_ring(r, rho, h, kWidePi); };
     const Wide opposite = std::clamp(r, r3, r4);  // where the kernel peaks
     return integrate_coarse(r3, opposite, at) + integrate_coarse(opposite, r4, at);
-  });
+  };
+  Wide sum = 0, low = r1;  // beyond the other's circles the peak is at an end
+  for (const Wide end : {std::clamp(r3, r1, r2), std::clamp(r4, r1, r2), r2}) {
+    sum += integrate_coarse(low, end, from);
+    low = end;
+  }
   return 2 * sum / (r2 * r2 - r1 * r1);
 }
 

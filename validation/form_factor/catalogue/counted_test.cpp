@@ -34,7 +34,7 @@ struct Function {
 
 // CLAIM      IU.6-3: the elementary functions behind the catalogue's proved bounds err by less than they count.
 // ORACLE     closed form: Arb's functions at 600 bits.
-// TOLERANCE  the counted error, which is at most kFunctionError relatively (log: absolutely, near 1).
+// TOLERANCE  the counted error, which is at most 3 kFunctionError of the value or of 1.
 TEST(Counted, CountsTheErrorsOfItsFunctions) {
   proves({"IU.6-3"}, Oracle::closed_form, "log, log1p, atan, sqrt at 600 bits, 2000 arguments each over their ranges");
   uses_seed(kSeed);
@@ -57,7 +57,7 @@ TEST(Counted, CountsTheErrorsOfItsFunctions) {
       const double x = (f.both_signs && i % 2 == 0 ? -1 : 1) * random.scale(f.low, f.high);
       const Counted y = f.ours(Counted(x));
       EXPECT_TRUE(within(error(y, f.truth(Ball(x))), y.error)) << f.name << " " << x;
-      EXPECT_TRUE(within(y.error, 2 * catalogue::kFunctionError * std::max(1.0, std::abs(y.value.high))))
+      EXPECT_TRUE(within(y.error, 3 * catalogue::kFunctionError * std::max(1.0, std::abs(y.value.high))))
           << f.name << " " << x;
     }
   }

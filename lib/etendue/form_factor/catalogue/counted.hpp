@@ -12,7 +12,7 @@ namespace etendue::catalogue {
 /// of double, and every operation counts what it may have lost; the bound that comes out is proved, cancellation and
 /// all, and says where a formula is of no use.
 ///
-///     |truth − value| ≤ error                                                              NOTES.md §9
+///     |truth − value| ≤ error                                                              form_factor/NOTES.md §9
 ///
 /// Domain    magnitudes between 2^-900 and 2^900, or zero; smaller products are counted as lost
 /// Accuracy  proved: each operation adds the propagated errors, its own rounding (kDoubleDoubleError, and kFunctionError
@@ -27,7 +27,7 @@ struct Counted {
 };
 
 /// Relative error of log, log1p, atan and the sines below, as operations on exact arguments. Series and Newton steps end
-/// below 2^-106, at most 60 operations of 2^-102 follow one another, damped by their factors; NOTES.md §9.
+/// below 2^-106, at most 60 operations of 2^-102 follow one another, damped by their factors; form_factor/NOTES.md §9.
 inline constexpr double kFunctionError = 0x1p-96;
 
 [[nodiscard]] Counted operator-(const Counted& a);

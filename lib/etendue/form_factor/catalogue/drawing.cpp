@@ -2,8 +2,8 @@
 #include "etendue/form_factor/catalogue/drawing.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace etendue::catalogue {
@@ -50,8 +50,8 @@ std::pair<Vec3, Vec3> across(const Vec3& axis) {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value == 0 ? 0.0 : value);
-  return std::string(text) == "-0.0" ? "0.0" : text;
+  const double tenths = std::round(10 * value) / 10;
+  return {text, std::to_chars(text, text + sizeof text, tenths == 0 ? 0.0 : tenths, std::chars_format::fixed, 1).ptr};
 }
 
 std::string escaped(std::string_view text) {
