@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/double_double_functions.hpp"
 #include "etendue/core/rounding.hpp"
 
 namespace etendue::catalogue {
@@ -18,7 +19,6 @@ constexpr double kCountSlack = 1 + 0x1p-49;
 constexpr double kUnderflow = 0x1p-940;
 
 const DoubleDouble kPi(3.141592653589793116, 1.224646799147353207e-16);
-const DoubleDouble kLogarithmOfTwo(0.6931471805599452862, 2.319046813846299558e-17);
 
 double size(const Counted& a) {
   return std::abs(a.value.high) * (1 + 2 * kUnitRoundoff);
@@ -45,34 +45,10 @@ SineCosine sine_cosine(const DoubleDouble& x) {
   return sum;
 }
 
-/// e^x for |x| ≤ 0.35, by Horner's rule: 0.35^26/26! is below 2^-106.
-DoubleDouble exponential(const DoubleDouble& x) {
-  constexpr int kTerms = 26;
-  DoubleDouble sum(1.0);
-  for (int k = kTerms; k >= 1; --k) sum = DoubleDouble(1.0) + x * sum / DoubleDouble(k);
-  return sum;
-}
-
-/// For |x| ≤ 1, one step of Newton's method of third order: the first guess is right to 2^-50.
+/// In (0, π/2) for x > 0. Below 2^-60 the series' second term is below 2^-120 of the first.
 DoubleDouble arc_tangent(const DoubleDouble& x) {
-  const double guess = std::atan(x.high);
-  const SineCosine at = sine_cosine(guess);
-  const DoubleDouble rest = (x * at.cosine - at.sine) / (at.cosine + x * at.sine);
-  return DoubleDouble(guess) + rest - rest * rest * rest / DoubleDouble(3.0);
-}
-
-/// Takes the guess's power of two apart, so that the exponential meets a small argument.
-DoubleDouble logarithm(const DoubleDouble& x) {
-  int exponent = 0;
-  double mantissa = std::frexp(x.high, &exponent);
-  if (mantissa < 0x1.6a09e667f3bcdp-1) {  // √½: the logarithm of what is left is at most 0.35
-    mantissa *= 2;
-    --exponent;
-  }
-  const DoubleDouble scaled(mantissa, std::ldexp(x.low, -exponent));
-  const double guess = std::log(mantissa);
-  const DoubleDouble rest = scaled * exponential(-DoubleDouble(guess)) - DoubleDouble(1.0);
-  return kLogarithmOfTwo * static_cast<double>(exponent) + (DoubleDouble(guess) + (rest - rest * rest * 0.5));
+  constexpr double kSame = 0x1p-60;
+  return x.high < kSame ? x : angle_of(x, DoubleDouble(1.0));
 }
 
 /// 2 artanh(x/(2 + x)): the square of the argument is at most 0.0205 for |x| ≤ ¼.
@@ -125,7 +101,7 @@ Counted sqrt(const Counted& a) {
 Counted log(const Counted& a) {
   const double least = a.value.high * (1 - 2 * kUnitRoundoff) - a.error;
   if (!(least > 0)) return {DoubleDouble(0.0), kInfinite};
-  const DoubleDouble value = logarithm(a.value);
+  const DoubleDouble value = etendue::log(a.value);
   return with_error(value, a.error / least + kFunctionError, kFunctionError);
 }
 
@@ -140,10 +116,9 @@ Counted log1p(const Counted& a) {
 Counted atan(const Counted& a) {
   const double least = std::fmax(0.0, std::abs(a.value.high) * (1 - 2 * kUnitRoundoff) - a.error);
   const double propagated = a.error / (1 + least * least) + kUnderflow;
-  if (std::abs(a.value.high) <= 1) return with_error(arc_tangent(a.value), propagated, kFunctionError);
-  const DoubleDouble inverse = arc_tangent(DoubleDouble(1.0) / a.value);
-  const DoubleDouble quarter = kPi * (a.value.high > 0 ? 0.5 : -0.5);
-  return with_error(quarter - inverse, propagated, kFunctionError);
+  const bool negative = a.value.high < 0;
+  const DoubleDouble angle = arc_tangent(negative ? -a.value : a.value);
+  return with_error(negative ? -angle : angle, propagated, kFunctionError);
 }
 
 Counted atan2(const Counted& y, const Counted& x) {

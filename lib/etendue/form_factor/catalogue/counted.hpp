@@ -26,8 +26,8 @@ struct Counted {
   Counted(const DoubleDouble& v, double e) : value(v), error(e) {}
 };
 
-/// Relative error of log, log1p, atan and the sines below, as operations on exact arguments. Series and Newton steps end
-/// below 2^-106, at most 60 operations of 2^-102 follow one another, damped by their factors; form_factor/NOTES.md §9.
+/// Relative error of log, log1p, atan and the sines below, as operations on exact arguments: kDoubleDoubleFunctionError
+/// for those of core; series of our own end below 2^-106, with at most 60 operations of 2^-102, damped by their factors.
 inline constexpr double kFunctionError = 0x1p-96;
 
 [[nodiscard]] Counted operator-(const Counted& a);
