@@ -2,12 +2,19 @@
 // Rates of the form factors, beside the rule that many programs use: 4 × 4 × 4 × 4 Gauss nodes, no error bound.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "etendue/form_factor/factor_rows.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
 #include "etendue/form_factor/obstructed.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
+#include "reference/pair_families.hpp"
 
 namespace {
 
@@ -73,6 +80,90 @@ void obstructed_by_one_in_the_middle(benchmark::State& state) {
   }
 }
 
+/// 64 random quadrilaterals of edge 0.6 to 1 at `distance`, or hinged where it is 0: median and worst of a hundred.
+void single_pairs(benchmark::State& state) {
+  const double distance = 0.01 * static_cast<double>(state.range(0));
+  double asked = 1;
+  for (int i = 0; i < state.range(1); ++i) asked /= 10;
+  std::vector<std::pair<Polygon, Polygon>> pairs;
+  for (std::size_t i = 0; pairs.size() < 64; ++i) {
+    etendue::validation::pairs::Random random(40, i);
+    const auto edge = [&] { return random.between(0.6, 1); };
+    const auto r = etendue::validation::pairs::random_rotation(random);
+    const auto axis = [&](std::size_t k) { return Vec3(r[k][0], r[k][1], r[k][2]); };
+    const Vec3 a = edge() * axis(0), b = edge() * axis(1), floor_a(edge(), 0, 0), floor_b(0, edge(), 0);
+    if (distance == 0) {
+      if (axis(0).z() > 0.1)
+        pairs.emplace_back(rectangle({0, 0, 0}, floor_a, floor_b), rectangle({0, 0, 0}, floor_b, a));
+      continue;
+    }
+    const Vec3 centre(random.between(-0.3, 0.3), random.between(-0.3, 0.3), 1), way = distance * centre.normalized();
+    const bool away = a.cross(b).dot(way) > 0;
+    pairs.emplace_back(rectangle(-0.5 * (floor_a + floor_b), floor_a, floor_b),
+                       rectangle(way - 0.5 * (a + b), away ? b : a, away ? a : b));
+  }
+  std::vector<double> times;
+  for (auto _ : state) {
+    for (const auto& [from, to] : pairs) {
+      const auto start = std::chrono::steady_clock::now();
+      benchmark::DoNotOptimize(etendue::form_factor(from, to, {asked, 0}));
+      times.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count());
+    }
+  }
+  std::sort(times.begin(), times.end());
+  state.counters["p50_ns"] = times[times.size() / 2];
+  state.counters["p99_ns"] = times[times.size() * 99 / 100];
+}
+
+/// An empty cube of 6 × 26 × 26 = 4,056 squares, every pair once.
+void empty_room(benchmark::State& state) {
+  constexpr int kSide = 26;
+  double asked = 1;
+  for (int i = 0; i < state.range(0); ++i) asked /= 10;
+  std::vector<Polygon> polygons;
+  const auto wall = [&](const Vec3& o, const Vec3& a, const Vec3& b) {
+    for (int i = 0; i < kSide; ++i) {
+      for (int j = 0; j < kSide; ++j)
+        polygons.push_back(rectangle(o + a * i / kSide + b * j / kSide, a / kSide, b / kSide));
+    }
+  };
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), o(0, 0, 0);
+  wall(o, x, y);
+  wall(z, y, x);
+  wall(o, z, x);
+  wall(y, x, z);
+  wall(o, y, z);
+  wall(x, z, y);
+  const std::size_t n = polygons.size();
+  std::vector<std::uint32_t> columns;
+  std::vector<etendue::Bounded> row;
+  double worst = 0;
+  for (auto _ : state) {
+    const etendue::FactorRows rows(polygons);
+    for (std::size_t i = 0; i < n; ++i) {
+      columns.clear();
+      for (std::size_t j = i + 1; j < n; ++j) columns.push_back(static_cast<std::uint32_t>(j));
+      row.resize(columns.size());
+      rows.row(i, columns, {asked, 0}, row);
+      for (const auto& f : row) worst = std::max(worst, f.bound > 0 ? f.bound / f.value : 0);
+    }
+  }
+  state.counters["ns_per_pair"] =
+      benchmark::Counter(1e-9 * static_cast<double>(n * (n - 1) / 2),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["worst_bound"] = worst;
+}
+
+BENCHMARK(single_pairs)
+    ->ArgsProduct({{5000, 1200, 600, 300, 150, 75, 0}, {6, 9, 12}})
+    ->ArgNames({"distance_percent", "digits"});
+BENCHMARK(empty_room)
+    ->Arg(6)
+    ->Arg(9)
+    ->ArgNames({"digits"})
+    ->Unit(benchmark::kMillisecond)
+    ->Repetitions(5)
+    ->ReportAggregatesOnly();
 BENCHMARK(baseline_gauss_4_4_4_4)->Arg(1);
 BENCHMARK(form_factor_at)->ArgsProduct({{5, 10, 30, 100, 1000}, {6, 10}});
 BENCHMARK(form_factor_of_a_shared_edge);

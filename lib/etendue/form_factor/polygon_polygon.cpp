@@ -13,6 +13,7 @@
 #include "etendue/form_factor/area_rule.hpp"
 #include "etendue/form_factor/contour.hpp"
 #include "etendue/form_factor/facing_pair.hpp"
+#include "etendue/form_factor/factor_rows.hpp"
 
 namespace etendue {
 
@@ -109,6 +110,8 @@ Bounded form_factor(const Boundary& from, const Boundary& to, Tolerance toleranc
 }
 
 Bounded form_factor(const Polygon& from, const Polygon& to, Tolerance tolerance) {
+  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "form_factor: tolerances are not negative");
+  if (const auto factor = product_factor(from, to, tolerance)) return *factor;
   return form_factor(Boundary{from.vertices()}, Boundary{to.vertices()}, tolerance);
 }
 
