@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue_command.hpp"
+#include "cli/catalogue_command.hpp"
 
 #include <algorithm>
 #include <cmath>
