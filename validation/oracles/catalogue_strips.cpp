@@ -79,12 +79,12 @@ Truths truths_of_strips() {
       return kernel_of_strips({p[0], 0, 0}, kUp, {y * c, 0, y * s}, {s, 0, -c});
     });
   };
-  t["C-1"] = [](const double* p) { return plates(0, p[0], 0, p[0], p[1]); };
-  t["C-2a"] = [](const double* p) {
+  t["opposite-plates"] = [](const double* p) { return plates(0, p[0], 0, p[0], p[1]); };
+  t["centred-plates"] = [](const double* p) {
     return plates(-p[0] / Wide(2), p[0] / Wide(2), -p[1] / Wide(2), p[1] / Wide(2), p[2]);
   };
   t["shifted-plates"] = [](const double* p) { return plates(0, p[0], p[1], p[2], p[3]); };
-  t["C-3"] = [](const double* p) { return hinge(p[0], p[1], kWidePi / 2); };
+  t["perpendicular-plates"] = [](const double* p) { return hinge(p[0], p[1], kWidePi / 2); };
   t["C-5"] = [](const double* p) { return hinge(1, 1, p[0] * kDegree); };
   t["C-5a"] = [](const double* p) { return hinge(p[0], p[1], p[2] * kDegree); };
   t["screened-plates"] = [](const double* p) {

@@ -124,22 +124,25 @@ inline void elements_and_solids(Algebra& f) {
 inline void strips(Algebra& f) {
   one(f("B-71", {-90, 20}) + f("B-71", {20, 90}), "half-space");
   equal(f("wedge-half-plane", {50}), f("B-71", {-40, 90}), "wedge");
-  equal(f("C-1", {1.3, 0.6}), f("C-2a", {1.3, 1.3, 0.6}), "equal plates");
-  equal(f("C-2a", {1.3, 0.9, 0.6}), f("shifted-plates", {1.3, 0.2, 1.1, 0.6}), "centred plates");
-  equal(f("C-3", {1.3, 0.6}), f("C-5a", {1.3, 0.6, 90}), "right angle");
+  equal(f("opposite-plates", {1.3, 0.6}), f("centred-plates", {1.3, 1.3, 0.6}), "equal plates");
+  equal(f("centred-plates", {1.3, 0.9, 0.6}), f("shifted-plates", {1.3, 0.2, 1.1, 0.6}), "centred plates");
+  equal(f("perpendicular-plates", {1.3, 0.6}), f("C-5a", {1.3, 0.6, 90}), "right angle");
   equal(f("C-5", {70}), f("C-5a", {1.3, 1.3, 70}), "equal widths");
   const auto wedge = [&](double x) { return f("wedge-plate", {x, 0.8, 65}); };
   equal(integral(0.3, 1.5, wedge, 3), 1.5 * f("C-5a", {1.5, 0.8, 65}) - 0.3 * f("C-5a", {0.3, 0.8, 65}),
         "C-5a by elements");
-  equal(f("screened-plates", {1.3, 0.4, 0.6}), 0.9 / 1.3 * f("C-1", {0.9, 0.6}), "what passes the screen's two sides");
+  equal(f("screened-plates", {1.3, 0.4, 0.6}), 0.9 / 1.3 * f("opposite-plates", {0.9, 0.6}),
+        "what passes the screen's two sides");
   one(f("triangular-duct", {1.1, 0.8, 0.7}) + f("triangular-duct", {1.1, 0.7, 0.8}), "triangle");
-  equal(f("triangular-duct", {1.2, 0.5, 1.3}), f("C-3", {1.2, 0.5}), "right triangle");
+  equal(f("triangular-duct", {1.2, 0.5, 1.3}), f("perpendicular-plates", {1.2, 0.5}), "right triangle");
   const double w = 0.9, h = 1.4;
-  const double kept = 2 * w * f("C-3", {w, h}) + 2 * h * (f("C-3", {h, w}) + f("C-1", {h, w}));
+  const double kept = 2 * w * f("perpendicular-plates", {w, h}) +
+                      2 * h * (f("perpendicular-plates", {h, w}) + f("opposite-plates", {h, w}));
   equal(f("groove-self", {w, h}), kept / (w + 2 * h), "groove, wall by wall");
   equal(f("arc-self", {1, 90}), 1 - 2 / kPi, "semi-cylinder");
   one(f("arc-self", {1, 180}), "whole tube");
-  equal(f("arc-self", {1, 90}), 1 - 2 / kPi * f("C-3", {1, 1}) / f("C-5", {90}), "semi-cylinder and its chord");
+  equal(f("arc-self", {1, 90}), 1 - 2 / kPi * f("perpendicular-plates", {1, 1}) / f("C-5", {90}),
+        "semi-cylinder and its chord");
 }
 
 inline void tubes(Algebra& f) {

@@ -63,7 +63,7 @@ Drawing sphere_cut() {
   Drawing d = sphere_over({1.6, 0, 0.3}, {0, 0, 1});
   d.rectangle(Surface::other, {-0.4, -0.8, 0}, {2.8, 0, 0}, {0, 1.6, 0});
   d.dimension({0, 0, 0}, {1.6, 0, 0}, "l");
-  d.height({0, 0, 0}, {0, 0, 0.3}, 1.6, "h");
+  d.dimension({1.6, 0, 0}, {1.6, 0, 0.3}, "h");
   return d;
 }
 

@@ -138,7 +138,7 @@ Drawing two_spheres() {
   d.line({0, 0, 0}, {1.9, 0, 0});
   d.dimension({0.6, 0, 0}, {1.1, 0, 0}, "s");
   d.dimension({0, 0, 0}, {0, 0, 0.6}, "r1");
-  d.height({0, 0, 0}, {0, 0, 0.8}, 1.9, "r2");
+  d.dimension({1.9, 0, 0}, {1.9, 0, 0.8}, "r2");
   return d;
 }
 

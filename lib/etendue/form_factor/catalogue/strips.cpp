@@ -41,7 +41,7 @@ Drawing plates(double left, double right, const char* one, const char* two) {
   d.trace(Surface::from, {{-0.8, 0, 0}, {0.8, 0, 0}});
   d.trace(Surface::to, {{left, 0, 1}, {right, 0, 1}});
   d.dimension({-0.8, 0, -0.18}, {0.8, 0, -0.18}, one);
-  d.dimension({left, 0, 1.18}, {right, 0, 1.18}, two);
+  if (two) d.dimension({left, 0, 1.18}, {right, 0, 1.18}, two);
   d.height({0, 0, 0}, {0, 0, 1}, 1.2, "h");
   return d;
 }
@@ -58,7 +58,7 @@ Drawing hinge(const Vec3& second, const char* one, const char* two, const char* 
 }
 
 Drawing shifted_plates() {
-  Drawing d = plates(0.2, 1.6, "a", "");
+  Drawing d = plates(0.2, 1.6, "a", nullptr);
   d.dimension({-0.8, 0, 1.45}, {0.2, 0, 1.45}, "b");
   d.dimension({-0.8, 0, 1.7}, {1.6, 0, 1.7}, "c");
   d.line({-0.8, 0, 0}, {-0.8, 0, 1.7});
@@ -66,7 +66,7 @@ Drawing shifted_plates() {
 }
 
 Drawing screened_plates() {
-  Drawing d = plates(-0.8, 0.8, "w", "");
+  Drawing d = plates(-0.8, 0.8, "w", "w");
   d.trace(Surface::other, {{-0.3, 0, 0.5}, {0.3, 0, 0.5}});
   d.dimension({-0.3, 0, 0.28}, {0.3, 0, 0.28}, "d");
   return d;
@@ -126,7 +126,7 @@ std::vector<Entry> strips() {
        .area_from = nullptr,
        .area_to = nullptr,
        .picture = [] { return wedge(true); }},
-      {.id = "C-1",
+      {.id = "opposite-plates",
        .number = "C-1",
        .title = "Infinitely long, directly opposed plates of equal width",
        .parameters = {length("w", "width"), length("h", "distance")},
@@ -140,8 +140,8 @@ std::vector<Entry> strips() {
        .area_from = [](Values p) { return p[0]; },
        .area_to = [](Values p) { return p[0]; },
        .picture = [] { return plates(-0.8, 0.8, "w", "w"); }},
-      {.id = "C-2a",
-       .number = "C-2a",
+      {.id = "centred-plates",
+       .number = "C-2",
        .title = "Infinitely long, parallel plates of different widths, their centres opposite",
        .parameters = {length("b", "width of the first"), length("c", "width of the second"), length("h", "distance")},
        .conditions = {},
@@ -155,7 +155,7 @@ std::vector<Entry> strips() {
        .area_to = [](Values p) { return p[1]; },
        .picture = [] { return plates(-1, 1, "b", "c"); }},
       {.id = "shifted-plates",
-       .number = "",
+       .number = "C-2a",
        .title = "Infinitely long, parallel plates, shifted sideways",
        .parameters = {length("a", "width of the first, from 0 to a"), position("b", "where the second begins"),
                       position("c", "where it ends"), length("h", "distance")},
@@ -173,7 +173,7 @@ std::vector<Entry> strips() {
        .area_from = [](Values p) { return p[0]; },
        .area_to = [](Values p) { return p[2] - p[1]; },
        .picture = shifted_plates},
-      {.id = "C-3",
+      {.id = "perpendicular-plates",
        .number = "C-3",
        .title = "Infinitely long plates at a right angle, sharing an edge",
        .parameters = {length("w", "width of the first"), length("h", "width of the second")},
