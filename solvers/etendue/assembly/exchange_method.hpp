@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "etendue/assembly/exchange_matrix.hpp"
+#include "etendue/execution/execution.hpp"
+#include "etendue/meshing/elements.hpp"
+
+namespace etendue {
+
+/// Two surfaces, i < j.
+struct SurfacePair {
+  std::size_t i, j;
+};
+
+/// A way to find exchange areas A_i F_ij. To add one, derive from this and name it in the command form-factors.
+class ExchangeMethod {
+ public:
+  virtual ~ExchangeMethod() = default;
+
+  /// Finds the exchange areas of `pairs`, in their order, and their bounds [length²]; counts what happened in `report`.
+  /// The answer for a pair depends on nothing but the pair. Called from several threads at once.
+  virtual void find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const = 0;
+
+  /// The faces that may stand between two surfaces; empty where the method does not ask.
+  virtual std::vector<std::size_t> blockers(const SurfacePair& pair) const;
+};
+
+/// Is the bound of an exchange area within the tolerance, for the factor from either side?
+[[nodiscard]] bool reached(const Bounded& exchange, double area_i, double area_j, const Tolerance& tolerance);
+
+/// Fills the tiles of `matrix` that are not done, each pair once. Pairs beyond `tolerance` are counted, never dropped.
+///
+/// Order     the same bits with any number of threads, and however often stopped; stops between tiles
+/// Returns   whether the matrix is complete
+bool fill_exchanges(ExchangeMatrix& matrix, const ExchangeMethod& method, const Tolerance& tolerance,
+                    const Execution& execution);
+
+/// Areas of the elements, in their order.
+[[nodiscard]] std::vector<double> areas_of(const ElementMesh& mesh);
+
+}  // namespace etendue

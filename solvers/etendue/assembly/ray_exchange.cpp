@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/assembly/ray_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "etendue/acceleration/accelerator.hpp"
+#include "etendue/geometry/jordan.hpp"
+#include "etendue/geometry/meeting.hpp"
+#include "etendue/geometry/newell.hpp"
+
+namespace etendue {
+
+namespace {
+
+/// SplitMix64: the n-th number of a stream depends on seed and stream alone.
+class Stream {
+ public:
+  Stream(std::uint64_t seed, std::uint64_t number) : state_(mixed(seed) ^ mixed(number * 0x9e3779b97f4a7c15u + 1)) {}
+  /// In [0, 1).
+  double unit() { return static_cast<double>(mixed(state_ += 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53; }
+
+ private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_;
+};
+
+/// A point of a convex polygon, each as likely as any other.
+Vec3 point_of(const Polygon& polygon, Stream& random) {
+  const auto& v = polygon.vertices();
+  double target = random.unit() * polygon.area();
+  std::size_t k = 1;
+  for (; k + 2 < v.size(); ++k) {
+    const double area = 0.5 * (v[k] - v[0]).cross(v[k + 1] - v[0]).norm();
+    if (target < area) break;
+    target -= area;
+  }
+  const double root = std::sqrt(random.unit()), share = random.unit();
+  return (1 - root) * v[0] + root * ((1 - share) * v[k] + share * v[k + 1]);
+}
+
+/// A direction before the plane, its likelihood proportional to the cosine with the normal.
+Vec3 direction_from(const Vec3& normal, Stream& random) {
+  const double square = random.unit(), turn = 2 * std::numbers::pi * random.unit();
+  const TangentFrame frame = tangent_frame(normal);
+  const double radius = std::sqrt(square);
+  return radius * std::cos(turn) * frame.u + radius * std::sin(turn) * frame.v + std::sqrt(1 - square) * normal;
+}
+
+/// What arrives where: the faces as a scene, and which elements lie in which face.
+struct Target {
+  const ElementMesh& mesh;
+  Scene scene;
+  std::unique_ptr<const Accelerator> accelerator;
+  std::vector<std::vector<std::size_t>> elements_of;
+
+  explicit Target(const ElementMesh& elements) : mesh(elements), elements_of(elements.faces.size()) {
+    scene.materials.emplace_back();
+    for (const Face& face : mesh.faces) scene.objects.push_back({"", face.polygon, 0, {}});
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) elements_of[mesh.elements[k].face].push_back(k);
+    accelerator = make_accelerator(scene, AcceleratorKind::bounding_volumes);
+  }
+
+  /// Calls `arrive(element)` for each element whose front the ray meets first; several where subsurfaces lie in a face.
+  template <class Arrive>
+  void trace(Ray ray, std::size_t own_face, const Arrive& arrive) const {
+    auto nearest = accelerator->nearest(ray).hit;
+    while (nearest && nearest->object == own_face) {  // its own plane, met in the rounding of the starting point
+      ray.t_min = nearest->hit.t;
+      nearest = accelerator->nearest(ray).hit;
+    }
+    if (!nearest || mesh.faces[nearest->object].polygon.normal().dot(ray.direction) >= 0) return;
+    const auto& candidates = elements_of[nearest->object];
+    const int axis = dominant_axis(mesh.faces[nearest->object].polygon.normal());
+    for (const std::size_t element : candidates) {
+      // Elements of a whole undivided face are met as the face is; the rim is nobody's to lose.
+      if (candidates.size() == 1 || encloses(mesh.elements[element].polygon.vertices(), nearest->hit.point, axis)) {
+        arrive(element);
+      }
+    }
+  }
+};
+
+/// Relative entropy of a coin with chance p against one with chance q.
+double entropy(double p, double q) {
+  const auto term = [](double a, double b) { return a == 0 ? 0 : a * std::log(a / b); };
+  return term(p, q) + term(1 - p, 1 - q);
+}
+
+}  // namespace
+
+double chance_bound(std::uint64_t count, std::uint64_t of, double doubt) {
+  const double p = static_cast<double>(count) / static_cast<double>(of);
+  const double most = std::log(2 / doubt) / static_cast<double>(of);
+  const auto end = [&](double limit) {  // as far towards `limit` as the entropy allows, rounded outward
+    double inside = p, outside = limit;
+    constexpr int kHalvings = 60;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (inside + outside);
+      (entropy(p, middle) <= most ? inside : outside) = middle;
+    }
+    return std::abs(outside - p);
+  };
+  return std::max(end(0), end(1));
+}
+
+RayExchange::RayExchange(const ElementMesh& mesh, const RaySettings& settings, const Execution& execution)
+    : settings_(settings), areas_(areas_of(mesh)), arrivals_(mesh.elements.size()) {
+  const Target target(mesh);
+  complete_ = parallel_for(mesh.elements.size(), execution, [&](std::size_t i) {
+    const Polygon& polygon = mesh.elements[i].polygon;
+    std::map<std::size_t, std::uint64_t> counts;
+    Stream random(settings.seed, i);
+    for (int k = 0; k < settings.rays; ++k) {
+      Ray ray;
+      ray.origin = point_of(polygon, random);
+      ray.direction = direction_from(polygon.normal(), random);
+      target.trace(ray, mesh.elements[i].face, [&](std::size_t element) { ++counts[element]; });
+    }
+    arrivals_[i].assign(counts.begin(), counts.end());
+  });
+}
+
+void RayExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const {
+  const auto of = static_cast<std::uint64_t>(settings_.rays);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [i, j] = pairs[k];
+    const auto [from, to] = areas_[i] <= areas_[j] ? std::pair(i, j) : std::pair(j, i);
+    const Arrivals& all = arrivals_[from];
+    const auto found = std::lower_bound(all.begin(), all.end(), std::pair(to, std::uint64_t{0}));
+    const std::uint64_t count = found != all.end() && found->first == to ? found->second : 0;
+    const double chance = static_cast<double>(count) / static_cast<double>(of);
+    exchanges[k] = {areas_[from] * chance, areas_[from] * chance_bound(count, of, kRayDoubt)};
+    ++report.sampled;
+  }
+}
+
+}  // namespace etendue

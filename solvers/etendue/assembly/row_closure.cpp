@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/assembly/row_closure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/core/rounding.hpp"
+
+namespace etendue {
+
+RowClosure row_closure(const ExchangeMatrix& matrix) {
+  require(matrix.complete(), "row_closure: the matrix is complete");
+  const std::size_t n = matrix.size();
+  RowClosure closure;
+  closure.sums.resize(n);
+  closure.bounds.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0, bound = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const Bounded factor = matrix.factor(i, j);
+      sum += factor.value;
+      bound += factor.bound;
+      if (factor.bound > closure.largest_bound) {
+        closure.largest_bound = factor.bound;
+        closure.loosest_from = i;
+        closure.loosest_to = j;
+      }
+    }
+    const double rounding = gamma_bound(static_cast<int>(std::min<std::size_t>(2 * n + 2, 1u << 30)));
+    bound = bound * (1 + rounding) + rounding * sum;
+    closure.sums[i] = sum;
+    closure.bounds[i] = bound;
+    if (sum <= bound) {
+      closure.covered.push_back(i);
+      continue;
+    }
+    if (1 - sum > bound) closure.open.push_back(i);
+    if (sum - 1 > bound) closure.above.push_back(i);
+    if (std::abs(1 - sum) > closure.defect) {
+      closure.defect = std::abs(1 - sum);
+      closure.worst = i;
+    }
+  }
+  return closure;
+}
+
+}  // namespace etendue

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "etendue/assembly/exchange_matrix.hpp"
+#include "etendue/core/result.hpp"
+#include "etendue/meshing/elements.hpp"
+
+namespace etendue {
+
+/// A row of the matrix that is handed out, made of elements: those of the surface itself and of what is combined with
+/// it, less those of its subsurfaces.
+struct ComposedRow {
+  struct Term {
+    std::size_t element;  ///< index into ElementMesh::elements
+    double sign;          ///< 1 or −1
+  };
+  std::string name;
+  std::vector<Term> terms;
+  double area = 0;       ///< [length²]
+  double emittance = 1;  ///< handed through to the output; factors do not depend on it
+};
+
+/// A surface that covers part of another and faces it: sees nothing else.
+struct Mask {
+  std::size_t row, base;  ///< indices of rows
+};
+
+/// The surfaces between which form factors are asked for, whatever file they come from.
+struct SurfaceModel {
+  std::string name;
+  ElementMesh mesh;  ///< faces block; elements exchange. A face without elements only blocks
+  std::vector<std::string> face_names;
+  std::vector<ComposedRow> rows;
+  std::vector<Mask> masks;
+  std::optional<double> metres_per_unit;  ///< nothing where the file does not say: factors have no unit
+  std::string hash;                       ///< of the file's bytes
+  std::vector<std::string> notes;         ///< what the reader left out, one line each
+
+  /// Is each row just the element of the same number?
+  bool plain() const;
+};
+
+/// The model of a scene: a row an element, "name" or "name[3]" where the object has several.
+[[nodiscard]] Result<SurfaceModel> surface_model(const Scene& scene);
+
+/// The exchange area of two rows from those of their elements; `between(a, b)` is asked for a ≠ b.
+[[nodiscard]] Bounded row_exchange(const SurfaceModel& model, std::size_t r, std::size_t s,
+                                   const std::function<Bounded(std::size_t a, std::size_t b)>& between);
+
+/// The matrix of the model's rows from that of its elements:
+///
+///     G'_rs = Σ_a Σ_b sign_a sign_b G_ab   over the terms a of r and b of s                       @eq IU.6-5
+///
+/// Contract  a complete matrix of the model's elements
+/// Accuracy  bounds add up, those of what is subtracted too; a value below 0 is held at 0, which its bound allows
+[[nodiscard]] ExchangeMatrix composed(const SurfaceModel& model, const ExchangeMatrix& elements);
+
+}  // namespace etendue
