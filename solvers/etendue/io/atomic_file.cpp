@@ -107,13 +107,18 @@ class Pending {
     return Done{};
   }
 
-  Result<Done> fill(std::string_view bytes) {
+  Result<Done> append(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t written = ::write(file_.number(), bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) return failure("write", path_, reason(errno));
       bytes.remove_prefix(static_cast<std::size_t>(written));
     }
+    return Done{};
+  }
+
+  /// All is appended: brings it onto the disk.
+  Result<Done> finish() {
     // A full disk may show only here.
     if (::fsync(file_.number()) != 0 && errno != EINVAL && errno != EROFS) {
       return failure("write", path_, reason(errno));
@@ -143,7 +148,8 @@ Result<Done> write_files(const std::vector<NewFile>& files) {
   for (const NewFile& file : files) {
     Pending& next = pending.emplace_back(file.path);
     if (auto created = next.create(); !created) return created;
-    if (auto filled = next.fill(file.bytes); !filled) return filled;
+    if (auto filled = next.append(file.bytes); !filled) return filled;
+    if (auto finished = next.finish(); !finished) return finished;
   }
   for (Pending& file : pending) {
     if (auto named = file.take_name(); !named) return named;
@@ -153,6 +159,15 @@ Result<Done> write_files(const std::vector<NewFile>& files) {
 
 Result<Done> write_file(const fs::path& path, std::string_view bytes) {
   return write_files({{path, std::string(bytes)}});
+}
+
+Result<Done> write_pieces(const fs::path& path, const std::function<Result<Done>(const Append&)>& produce) {
+  Pending file(path);
+  if (auto created = file.create(); !created) return created;
+  const Append append = [&file](std::string_view piece) { return file.append(piece); };
+  if (auto produced = produce(append); !produced) return produced;
+  if (auto finished = file.finish(); !finished) return finished;
+  return file.take_name();
 }
 
 Result<Done> check_writable(const std::vector<fs::path>& paths) {

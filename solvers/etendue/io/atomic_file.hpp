@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,14 @@ struct NewFile {
 
 /// write_files() of one.
 [[nodiscard]] Result<Done> write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Takes the next piece of a file.
+using Append = std::function<Result<Done>(std::string_view piece)>;
+
+/// write_file() of what `produce` appends, for files too large to be held in memory. An error of `produce` ends it, and
+/// the path is as it was.
+[[nodiscard]] Result<Done> write_pieces(const std::filesystem::path& path,
+                                        const std::function<Result<Done>(const Append& append)>& produce);
 
 /// Would write_files() to these paths be let? Makes the hidden file beside each, and removes it: to be asked before a
 /// long computation. Only a lack of space can stop the writing later, or who meddles with the folder meanwhile.
