@@ -110,6 +110,20 @@ void Options::choice(std::string name, std::vector<std::string> values, std::str
        }});
 }
 
+void Options::two_texts(std::string name, std::string values, std::string help,
+                        std::pair<std::string, std::string>& target) {
+  Option option{std::move(name), std::move(values), std::move(help), [&target](const std::string& text) {
+                  target.first = text;
+                  return std::optional<std::string>();
+                }};
+  option.set_second = [&target](const std::string& text) { target.second = text; };
+  add(std::move(option));
+}
+
+void Options::alias(std::string short_name, std::string name) {
+  aliases_.emplace_back(std::move(short_name), std::move(name));
+}
+
 void Options::example(std::string command_line) {
   examples_.push_back(std::move(command_line));
 }
@@ -119,6 +133,9 @@ void Options::note(std::string text) {
 }
 
 const Options::Option* Options::find(const std::string& name) const {
+  for (const auto& [short_name, full] : aliases_) {
+    if (short_name == name) return find(full);
+  }
   const auto found = std::find_if(options_.begin(), options_.end(), [&](const Option& o) { return o.name == name; });
   return found == options_.end() ? nullptr : &*found;
 }
@@ -149,8 +166,10 @@ std::optional<std::string> Options::read_option(const std::vector<std::string>& 
   const std::string name = word.substr(0, equals);
   const Option* option = find(name);
   if (!option) return "unknown option '" + name + "'" + did_you_mean(name, names());
-  if (std::find(seen.begin(), seen.end(), name) != seen.end()) return "option '" + name + "' is given twice";
-  seen.push_back(name);
+  if (std::find(seen.begin(), seen.end(), option->name) != seen.end()) {
+    return "option '" + option->name + "' is given twice";
+  }
+  seen.push_back(option->name);
   std::string value;
   if (option->value.empty()) {
     if (equals != std::string::npos) return "option '" + name + "' takes no value, found '" + word + "'";
@@ -163,6 +182,12 @@ std::optional<std::string> Options::read_option(const std::vector<std::string>& 
   }
   if (const auto expected = option->set(value)) {
     return "option '" + name + "': found '" + value + "', expected " + *expected;
+  }
+  if (option->set_second) {
+    if (equals != std::string::npos || next == arguments.size() || arguments[next].rfind("--", 0) == 0) {
+      return "option '" + name + "' needs two values: " + name + " " + option->value;
+    }
+    option->set_second(arguments[next++]);
   }
   return std::nullopt;
 }
@@ -204,7 +229,13 @@ void Options::print_help(std::ostream& out) const {
   for (const auto& argument : positional_) out << ' ' << argument.name;
   out << "\n\n";
 
-  const auto title = [](const Option& o) { return o.value.empty() ? o.name : o.name + " " + o.value; };
+  const auto title = [this](const Option& o) {
+    std::string name = o.name;
+    for (const auto& [short_name, full] : aliases_) {
+      if (full == o.name) name = short_name + ", " + name;
+    }
+    return o.value.empty() ? name : name + " " + o.value;
+  };
   std::vector<Option> all = positional_;
   all.insert(all.end(), options_.begin(), options_.end());
   all.push_back({"--help", "", "print this and exit", nullptr});

@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace etendue::cli {
@@ -30,6 +31,10 @@ class Options {
   void integer(std::string name, std::string value, std::string help, int& target, int low, int high);
   void real(std::string name, std::string value, std::string help, double& target, double low, double high);
   void choice(std::string name, std::vector<std::string> values, std::string help, std::string& target);
+  /// Two words in turn: `--pair I J`.
+  void two_texts(std::string name, std::string values, std::string help, std::pair<std::string, std::string>& target);
+  /// A short name for an option: `-o`.
+  void alias(std::string short_name, std::string name);
   /// A command line that works from the root of the project; CI runs it.
   void example(std::string command_line);
   /// Further lines between the options and the examples.
@@ -48,6 +53,7 @@ class Options {
     std::string value;  ///< what to call the value in --help; empty for a flag
     std::string help;
     std::function<std::optional<std::string>(const std::string&)> set;  ///< returns what is expected if it is not that
+    std::function<void(const std::string&)> set_second = nullptr;       ///< for the second of two words
   };
 
   void print_help(std::ostream& out) const;
@@ -62,6 +68,7 @@ class Options {
   std::string summary_;
   std::vector<Option> positional_;
   std::vector<Option> options_;
+  std::vector<std::pair<std::string, std::string>> aliases_;
   std::vector<std::string> notes_;
   std::vector<std::string> examples_;
 };

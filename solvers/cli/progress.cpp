@@ -38,7 +38,7 @@ void Progress::show(std::size_t done, std::size_t total) {
   drawn_ = true;
   const std::size_t filled = done >= total ? kWidth : kWidth * done / total;
   err_ << '\r' << title_ << " [" << std::string(filled, '#') << std::string(kWidth - filled, ' ') << "] "
-       << 100 * done / total << " %\033[K" << std::flush;
+       << 100 * done / total << " %" << (note_ ? note_(done, total) : "") << "\033[K" << std::flush;
 }
 
 Execution execution(const CommonOptions& common, Progress& progress) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <string>
 
@@ -23,12 +24,15 @@ class Progress {
   /// Shows done/total; at most a few times a second.
   void show(std::size_t done, std::size_t total);
   bool visible() const { return visible_; }
+  /// Further words after the percentage: rate, time that is left.
+  void annotate(std::function<std::string(std::size_t done, std::size_t total)> note) { note_ = std::move(note); }
 
  private:
   std::ostream& err_;
   std::string title_;
   bool visible_;
   bool drawn_ = false;
+  std::function<std::string(std::size_t, std::size_t)> note_;
   std::chrono::steady_clock::time_point last_{};
 };
 

@@ -12,6 +12,7 @@
 #include "etendue/core/version.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/text/utf8.hpp"
+#include "form_factors_command.hpp"
 #include "render_command.hpp"
 #include "solve_command.hpp"
 #include "validate_command.hpp"
@@ -83,6 +84,7 @@ int dispatch(const std::vector<std::string>& arguments, std::ostream& out, std::
 const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"solve", "solve a scene by radiosity", solve},
+      {"form-factors", "find the form factors between a scene's surfaces", form_factors},
       {"render", "render a scene by ray tracing", render},
       {"catalogue", "closed-form form factors: list, page, picture, value", catalogue},
       {"validate", "check every claim against its oracle", validate},

@@ -271,8 +271,11 @@ TEST(Program, SampleRunsWork) {
   ProcessOptions options;
   options.folder = folder.path();
   std::uint64_t wrong = 0, decided = 0;
-  for (const auto& command : std::vector<std::vector<std::string>>{
-           {"--help"}, {"solve", "--help"}, {"render", "--help"}, {"catalogue", "--help"}}) {
+  for (const auto& command : std::vector<std::vector<std::string>>{{"--help"},
+                                                                   {"solve", "--help"},
+                                                                   {"form-factors", "--help"},
+                                                                   {"render", "--help"},
+                                                                   {"catalogue", "--help"}}) {
     const auto runs = sample_runs(run_etendue(command).out);
     EXPECT_FALSE(runs.empty()) << command.front();
     for (const std::string& run : runs) {

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "form_factors_command.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <ostream>
+
+#include "etendue/assembly/certified_exchange.hpp"
+#include "etendue/assembly/closure_repair.hpp"
+#include "etendue/assembly/drop.hpp"
+#include "etendue/assembly/exact_exchange.hpp"
+#include "etendue/assembly/ray_exchange.hpp"
+#include "etendue/core/version.hpp"
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/io/checkpoint.hpp"
+#include "etendue/io/matrix_file.hpp"
+#include "etendue/io/nearest.hpp"
+#include "etendue/io/surface_file.hpp"
+#include "etendue/text/utf8.hpp"
+#include "form_factors_report.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+
+namespace etendue::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kNotGiven = -1;
+constexpr Tolerance kDefault{1e-6, 1e-9};
+/// Of rays nothing is asked unless the user does: every bound reaches it.
+constexpr Tolerance kNothing{1, 1};
+constexpr int kMostRays = 1000000000;
+
+struct Request {
+  CommonOptions common;
+  fs::path scene;
+  std::string method = "exact";
+  Tolerance tolerance{kNotGiven, kNotGiven};
+  std::pair<std::string, std::string> pair;  ///< as given; empty: the whole matrix
+  bool resume = false;
+  bool repair = false;
+  double drop = 0;
+  int rays = RaySettings{}.rays;
+  int seed = 1;
+};
+
+void declare(Options& options, Request& request) {
+  options.argument("SCENE", "surfaces: .json, .vs3 (View3D), .obj or .stl", request.scene);
+  options.choice("--method", {"exact", "certified", "rays"},
+                 "exact integration (default), proved enclosures, or counting rays: rough", request.method);
+  options.real("--relative", "X", "error asked of a factor, relative to it (default: 1e-6)", request.tolerance.relative,
+               0, 1);
+  options.real("--absolute", "X", "or absolute, whichever is looser (default: 1e-9)", request.tolerance.absolute, 0, 1);
+  options.two_texts("--pair", "I J", "print this pair only: surfaces by number, from 1, or by name", request.pair);
+  options.integer("--rays", "N", "rays from every surface, for --method rays (default: 10000)", request.rays, 1,
+                  kMostRays);
+  options.integer("--seed", "N", "other rays, for --method rays (default: 1)", request.seed, 0, kMostRays);
+  options.flag("--repair-closure", "change factors by least squares until rows sum to one; says what it changed",
+               request.repair);
+  options.real("--drop", "X", "write factors below X in both directions as zero; says what that leaves out",
+               request.drop, 0, 1);
+  options.flag("--resume", "go on with the run that left FILE.checkpoint", request.resume);
+  add_common(options, request.common, "write the matrix: .csv, .npy, .mtx, .json, or .vf as View3D does");
+  options.alias("-o", "--output");
+  options.note(
+      "Row i of the matrix holds the factors from surface i. Without --output a summary is printed. While the matrix\n"
+      "grows it lies in FILE.checkpoint: after Ctrl-C (exit code 6) or a crash, --resume goes on with it, to the same\n"
+      "bits. Where a factor's bound exceeds both tolerances the matrix is written all the same, and the exit code is "
+      "4.");
+  options.example("etendue form-factors scenes/furnace/scene.json");
+  options.example("etendue form-factors scenes/furnace/scene.json --relative 1e-9 -o furnace.csv");
+  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-4 --pair floor window");
+  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-4 --output l-room.vf");
+  options.example("etendue form-factors scenes/furnace/scene.json --method rays --rays 1000 --json");
+}
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// The row that the user means by a number from 1 or by a name; a name goes before a number.
+std::optional<std::size_t> row_of(const SurfaceModel& model, const std::string& word) {
+  for (std::size_t k = 0; k < model.rows.size(); ++k) {
+    if (model.rows[k].name == word) return k;
+  }
+  std::size_t position = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), position);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return position >= 1 && position <= model.rows.size() ? std::optional(position - 1) : std::nullopt;
+}
+
+class Run {
+ public:
+  Run(const Options& options, const Request& request, std::ostream& out, std::ostream& err)
+      : options_(options), request_(request), out_(out), err_(err) {}
+
+  int run() {
+    const fs::path& output = request_.common.output;
+    if (!output.empty()) {
+      if (const auto known = check_matrix_path(output); !known)
+        return options_.usage_error(err_, known.error().message);
+      std::error_code absent;
+      if (fs::equivalent(output, request_.scene, absent)) {
+        return options_.usage_error(err_, quoted_path(output) + " would replace the scene; name another file");
+      }
+    }
+    const bool one_pair = !request_.pair.first.empty();
+    if (one_pair && !output.empty()) return options_.usage_error(err_, "--pair prints one pair: leave --output out");
+    if (request_.resume && output.empty()) return options_.usage_error(err_, "--resume needs the --output of the run");
+    if (!output.empty()) {
+      if (const auto writable = check_writable({output}); !writable) return fail(writable.error());
+    }
+    auto model = read_surfaces(request_.scene);
+    if (!model) return fail(model.error());
+    model_ = std::move(model).value();
+    for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << note << '\n';
+    method_ = made_method();
+    if (!method_) {
+      err_ << "etendue form-factors: stopped while rays were sent; nothing is kept\n";
+      return static_cast<int>(ErrorCode::stopped);
+    }
+    return one_pair ? pair() : matrix();
+  }
+
+ private:
+  int fail(const Error& error) {
+    err_ << "etendue form-factors: " << printable_lines(error.message) << '\n';
+    return static_cast<int>(error.code);
+  }
+
+  /// Nothing when stopped.
+  std::unique_ptr<const ExchangeMethod> made_method() {
+    const Tolerance& asked = request_.tolerance;
+    if (request_.method == "exact")
+      return std::make_unique<ExactExchange>(model_.mesh, AssemblyTolerance{asked, asked});
+    if (request_.method == "certified") return std::make_unique<CertifiedExchange>(model_.mesh, asked);
+    Progress progress(err_, "rays", request_.common);
+    auto rays = std::make_unique<RayExchange>(model_.mesh,
+                                              RaySettings{request_.rays, static_cast<std::uint64_t>(request_.seed)},
+                                              execution(request_.common, progress));
+    return rays->complete() ? std::move(rays) : nullptr;
+  }
+
+  std::string settings() const {
+    return std::string("etendue ") + version() + ", method " + request_.method + ", relative " +
+           number(request_.tolerance.relative) + ", absolute " + number(request_.tolerance.absolute) +
+           (request_.method == "rays"
+                ? ", rays " + std::to_string(request_.rays) + ", seed " + std::to_string(request_.seed)
+                : "");
+  }
+
+  // One pair of rows.
+
+  int pair() {
+    const auto from = row_of(model_, request_.pair.first), to = row_of(model_, request_.pair.second);
+    for (const auto& [row, word] : {std::pair(from, request_.pair.first), std::pair(to, request_.pair.second)}) {
+      if (row) continue;
+      std::vector<std::string> names;
+      for (const ComposedRow& known : model_.rows) names.push_back(known.name);
+      return options_.usage_error(err_, "--pair: found '" + word +
+                                            "', expected the name of a surface or a number in [1, " +
+                                            std::to_string(names.size()) + "]" + did_you_mean(word, names));
+    }
+    PairReport report{model_, *from, *to, {}, {}, {}, {}, request_.method, true};
+    const Bounded exchange = row_exchange(model_, *from, *to, [&](std::size_t a, std::size_t b) {
+      const SurfacePair elements{std::min(a, b), std::max(a, b)};
+      Bounded found;
+      method_->find({&elements, 1}, {&found, 1}, report.what);
+      for (const std::size_t face : method_->blockers(elements)) {
+        const std::string& name = model_.face_names[face];
+        if (std::find(report.blockers.begin(), report.blockers.end(), name) == report.blockers.end()) {
+          report.blockers.push_back(name);
+        }
+      }
+      return found;
+    });
+    const double area_from = model_.rows[*from].area, area_to = model_.rows[*to].area;
+    ExchangeMatrix two({area_from, area_to});
+    two.set(0, 1, exchange);
+    report.forth = two.factor(0, 1);
+    report.back = two.factor(1, 0);
+    report.reached = reached(exchange, area_from, area_to, request_.tolerance);
+    if (request_.common.json) {
+      out_ << pair_report_json(report);
+    } else if (!request_.common.quiet) {
+      print_pair_report(out_, report);
+    }
+    if (report.reached) return 0;
+    return missed("the factor's bound " + number(std::max(report.forth.bound, report.back.bound)) +
+                  " exceeds what was asked for");
+  }
+
+  // The whole matrix.
+
+  fs::path checkpoint_path() const { return request_.common.output.string() + ".checkpoint"; }
+
+  Result<ExchangeMatrix> begun() const {
+    std::vector<double> areas = areas_of(model_.mesh);
+    if (request_.common.output.empty()) return ExchangeMatrix(std::move(areas));
+    return open_checkpoint(checkpoint_path(), checkpoint_key(model_, settings()), std::move(areas),
+                           request_.resume ? CheckpointStart::resume : CheckpointStart::fresh);
+  }
+
+  bool fill(ExchangeMatrix& matrix) {
+    Progress progress(err_, "form factors", request_.common);
+    const double pairs = static_cast<double>(matrix.layout().pairs());
+    const double memory = static_cast<double>(exchange_bytes(matrix.layout()));
+    const std::size_t before = matrix.tiles_done();
+    const auto begin = Clock::now();
+    progress.annotate([=](std::size_t done, std::size_t total) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      const double share = static_cast<double>(done - std::min(done, before)) / static_cast<double>(total);
+      char text[96];
+      std::snprintf(text, sizeof text, ", %.3g pairs/s, %.0f s left, %.3g MB", share * pairs / seconds,
+                    seconds * static_cast<double>(total - done) / std::max(1.0, static_cast<double>(done - before)),
+                    memory / 1e6);
+      return std::string(text);
+    });
+    return fill_exchanges(matrix, *method_, request_.tolerance, execution(request_.common, progress));
+  }
+
+  int matrix() {
+    const auto begin = Clock::now();
+    auto opened = begun();
+    if (!opened) return fail(opened.error());
+    ExchangeMatrix elements = std::move(opened).value();
+    if (!fill(elements)) return stopped(elements);
+    ExchangeMatrix rows = model_.plain() ? elements : composed(model_, elements);
+    RowClosure closure = row_closure(rows);
+    std::vector<std::string> remarks;
+    if (request_.repair) {
+      auto repair = repaired(rows, closure);
+      if (!repair) return fail(repair.error());
+      remarks.push_back(repair_remark(repair->report));
+      rows = std::move(repair).value().matrix;
+      closure = row_closure(rows);
+    }
+    const std::uint64_t beyond = beyond_tolerance(rows);
+    if (request_.drop > 0) {
+      rows = in_memory(rows);  // what lies in the checkpoint stays as computed
+      const DropReport dropped = drop_below(rows, request_.drop);
+      remarks.push_back("dropped: " + std::to_string(dropped.pairs) + " pairs below " + number(request_.drop) +
+                        "; row " + std::to_string(dropped.row + 1) + " loses most, " + number(dropped.largest_share) +
+                        "; their bounds grew by what they were");
+      closure = row_closure(rows);
+    }
+    if (const auto written = write(rows, closure); !written) return fail(written.error());
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    const MatrixReport report{
+        model_,  rows,   closure, request_.method, request_.tolerance, request_.scene, request_.common.output,
+        remarks, seconds};
+    if (request_.common.json) {
+      out_ << matrix_report_json(report);
+    } else if (!request_.common.quiet) {
+      print_matrix_report(out_, report);
+    }
+    if (beyond == 0) return 0;
+    return missed(std::to_string(beyond) + " pairs have bounds beyond what was asked for, the largest is " +
+                  number(closure.largest_bound) + " from surface " + std::to_string(closure.loosest_from + 1) + " '" +
+                  model_.rows[closure.loosest_from].name + "' to " + std::to_string(closure.loosest_to + 1) + " '" +
+                  model_.rows[closure.loosest_to].name + "'");
+  }
+
+  std::string repair_remark(const RepairReport& repair) const {
+    return "closure repaired: " + std::to_string(repair.changed) + " pairs changed, " + std::to_string(repair.beyond) +
+           " of them by more than their bounds, " + std::to_string(repair.at_zero) + " held at zero; largest change " +
+           number(repair.largest_change) + " from surface " + std::to_string(repair.from + 1) + " to " +
+           std::to_string(repair.to + 1) + "; largest row defect " + number(repair.defect_before) + " before, " +
+           number(repair.defect_after) + " after; bounds grew by the changes";
+  }
+
+  /// Pairs of rows that miss the tolerance. Rows that are elements, and as computed, were judged when they were found.
+  std::uint64_t beyond_tolerance(const ExchangeMatrix& rows) const {
+    if (model_.plain() && !request_.repair) return rows.report().beyond;
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t j = i; j < rows.size(); ++j) {
+        const Bounded exchange{rows.exchange(i, j), rows.exchange_bound(i, j)};
+        count += !reached(exchange, rows.areas()[i], rows.areas()[j], request_.tolerance);
+      }
+    }
+    return count;
+  }
+
+  Result<Done> write(const ExchangeMatrix& rows, const RowClosure& closure) const {
+    const fs::path& output = request_.common.output;
+    if (output.empty()) return Done{};
+    MatrixFacts facts{std::string("etendue ") + version(),
+                      request_.method,
+                      model_.name,
+                      model_.hash,
+                      model_.metres_per_unit,
+                      request_.tolerance,
+                      {},
+                      {},
+                      request_.repair};
+    for (const ComposedRow& row : model_.rows) {
+      facts.names.push_back(row.name);
+      facts.emittances.push_back(row.emittance);
+    }
+    const auto written = write_form_factors(output, rows, closure, facts);
+    if (!written) return written;
+    std::error_code gone;  // the matrix is safe: what is left of the checkpoint harms nothing
+    fs::remove(checkpoint_path(), gone);
+    return Done{};
+  }
+
+  int missed(const std::string& what) {
+    err_ << "etendue form-factors: tolerance not reached: " << what << '\n';
+    return static_cast<int>(ErrorCode::not_converged);
+  }
+
+  int stopped(const ExchangeMatrix& elements) {
+    err_ << "etendue form-factors: stopped with " << elements.tiles_done() << " of " << elements.layout().tiles()
+         << " tiles of the matrix done; ";
+    if (request_.common.output.empty()) {
+      err_ << "nothing is kept, since there is no --output\n";
+    } else {
+      err_ << "--resume goes on with " << checkpoint_path().string() << '\n';
+    }
+    return static_cast<int>(ErrorCode::stopped);
+  }
+
+  const Options& options_;
+  const Request& request_;
+  std::ostream& out_;
+  std::ostream& err_;
+  SurfaceModel model_;
+  std::unique_ptr<const ExchangeMethod> method_;
+};
+
+}  // namespace
+
+int form_factors(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  Request request;
+  Options options("form-factors", "Find the form factors (view factors) between the surfaces of a scene, with bounds.");
+  declare(options, request);
+  if (const auto code = options.parse(arguments, out, err)) return *code;
+  const Tolerance otherwise = request.method == "rays" ? kNothing : kDefault;
+  if (request.tolerance.relative == kNotGiven) request.tolerance.relative = otherwise.relative;
+  if (request.tolerance.absolute == kNotGiven) request.tolerance.absolute = otherwise.absolute;
+  return Run(options, request, out, err).run();
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "io/surface_texts.hpp"
+#include "support/evidence.hpp"
+#include "support/process.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace etendue::validation {
+namespace {
+
+std::string furnace() {
+  return (source_root() / "scenes" / "furnace" / "scene.json").string();
+}
+
+Ended form_factors(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "form-factors");
+  return run_etendue(arguments);
+}
+
+bool has(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+
+/// An obstruction in the middle of the box of room_texts().
+std::string floating_plate() {
+  return "V 9 .5 .2 .5\nV 10 1.5 .2 .5\nV 11 1.5 .8 .6\nV 12 .5 .8 .6\nO 7 9 10 11 12\n";
+}
+
+/// A room with a screen and a great many pairs behind it: seconds of work.
+std::string slow_scene(int cells) {
+  std::string text = R"({"format": "etendue-scene", "version": 1, "unit": "m",
+ "camera": {"eye": [0, 0, 0], "gaze": [0, 1, 0], "up": [0, 0, 1], "horizontal_fov_deg": 60, "resolution": [8, 8]},
+ "materials": {"m": {"k_d": 0.5}},
+ "objects": [
+  {"type": "polygon", "name": "floor", "material": "m", "vertices": [[0,0,0],[4,0,0],[4,4,0],[0,4,0]], "elements": CELLS},
+  {"type": "polygon", "name": "ceiling", "material": "m", "vertices": [[0,0,3],[0,4,3],[4,4,3],[4,0,3]], "elements": CELLS},
+  {"type": "polygon", "name": "screen", "material": "m", "vertices": [[1,1,1],[3,1.2,1.1],[3,3,1.2],[1,2.8,1.1]]}]})";
+  const std::string elements = "[" + std::to_string(cells) + ", " + std::to_string(cells) + "]";
+  for (std::size_t at = text.find("CELLS"); at != std::string::npos; at = text.find("CELLS")) {
+    text.replace(at, 5, elements);
+  }
+  return text;
+}
+
+// CLAIM      Without --output a summary says how many surfaces there are, whether they close, the worst row's defect, the
+//            largest bound and the time; --json says the same for a machine.
+// ORACLE     exact: the furnace is closed; its numbers are compared between the two forms.
+// TOLERANCE  none: words, and equality of what both print.
+TEST(FormFactorsCommand, SummarisesAScene) {
+  proves({}, Oracle::exact, "the words, and a closed scene");
+  const Ended text = form_factors({furnace()}), json = form_factors({furnace(), "--json"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  for (const char* words : {"surfaces     48\n", "closed: every row sums to 1 within its bounds", "worst row    ",
+                            "bound        ", "time         ", "219 averted, 909 clear\n"}) {
+    EXPECT_TRUE(holds(has(text.out, words))) << words << "\n" << text.out;
+  }
+  const auto parsed = nlohmann::json::parse(json.out);
+  EXPECT_TRUE(
+      holds(parsed.at("n") == 48 && parsed.at("closed") == true && parsed.at("pairs").at("beyond_tolerance") == 0));
+  EXPECT_TRUE(within(parsed.at("worst_row_defect").get<double>(), 48 * 1e-6));
+  EXPECT_TRUE(holds(form_factors({furnace(), "--quiet"}).out.empty()));
+}
+
+// CLAIM      IU.6-3, IU.6-6: the matrix that the program writes has rows that sum to one, and holds the closed form's value
+//            for two opposite walls of a cube, whatever the format of the room.
+// ORACLE     closed form: Howell C-11 for parallel squares of a cube, 0.19982489569838747.
+// TOLERANCE  the bound that the .json beside it states; rows: n times the asked 1e-9.
+TEST(FormFactorsCommand, WritesTheMatrix) {
+  proves({"IU.6-3", "IU.6-6"}, Oracle::closed_form, "Howell C-11 for a cube");
+  const TemporaryFolder folder;
+  std::string obj;
+  for (int k = 0; k < 8; ++k) {
+    obj += "v " + digits(std::min(1.0, kBoxCorners[k][0])) + " " + digits(kBoxCorners[k][1]) + " " +
+           digits(kBoxCorners[k][2]) + "\n";
+  }
+  for (const auto& wall : kBoxWalls) {
+    obj += "f";
+    for (const int corner : wall) obj += " " + std::to_string(corner + 1);
+    obj += "\n";
+  }
+  const std::string scene = folder.add("cube.obj", obj).string(), csv = (folder.path() / "f.csv").string(),
+                    json = (folder.path() / "f.json").string();
+  ASSERT_EQ(form_factors({scene, "--relative", "1e-9", "-o", csv}).code, 0);
+  ASSERT_EQ(form_factors({scene, "--relative", "1e-9", "--output", json}).code, 0);
+  EXPECT_EQ(folder.contents(), "cube.obj f.csv f.json");
+  const auto facts = nlohmann::json::parse(read_text(json));
+  std::istringstream lines(read_text(csv));
+  std::size_t row = 0;
+  for (std::string line; std::getline(lines, line); ++row) {
+    std::istringstream cells(line);
+    double sum = 0;
+    std::size_t column = 0;
+    for (std::string cell; std::getline(cells, cell, ','); ++column) {
+      const double value = std::stod(cell);
+      sum += value;
+      EXPECT_EQ(value, facts.at("F")[row][column].get<double>());
+      const bool opposite = row / 2 == column / 2 && row != column;
+      if (opposite) {
+        EXPECT_TRUE(near(value, 0.19982489569838747, facts.at("bounds")[row][column].get<double>()));
+      }
+    }
+    EXPECT_EQ(column, 6u);
+    EXPECT_TRUE(near(sum, 1, 6e-9));
+  }
+  EXPECT_EQ(row, 6u);
+}
+
+// CLAIM      --pair prints one pair, by number or by name, with its bound and what stands between; an unknown name is refused
+//            with the nearest.
+// ORACLE     exact: the same numbers as in the matrix; the messages.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, PrintsOnePair) {
+  proves({}, Oracle::exact, "the matrix, and the messages");
+  const TemporaryFolder folder;
+  const std::string scene = folder.add("box.vs3", room_texts()[0].second + floating_plate()).string();
+  const Ended one = form_factors({scene, "--relative", "1e-3", "--pair", "1", "wall-1", "--json"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  const auto pair = nlohmann::json::parse(one.out);
+  ASSERT_EQ(form_factors({scene, "--relative", "1e-3", "-o", (folder.path() / "m.json").string()}).code, 0);
+  const auto matrix = nlohmann::json::parse(read_text(folder.path() / "m.json"));
+  EXPECT_TRUE(holds(pair.at("factor") == matrix.at("F")[0][1] && pair.at("back") == matrix.at("F")[1][0]));
+  EXPECT_TRUE(holds(pair.at("blockers") == std::vector<std::string>{"obstruction 7"}));
+  const Ended text = form_factors({scene, "--relative", "1e-3", "--pair", "wall-0", "wall-4"});
+  EXPECT_TRUE(holds(text.code == 0 && has(text.out, "partly obstructed by 'obstruction 7'") && has(text.out, "clamps")))
+      << text.out;
+  const Ended unknown = form_factors({scene, "--pair", "1", "wal-1"});
+  EXPECT_TRUE(holds(unknown.code == 2 && has(unknown.err, "did you mean 'wall-"))) << unknown.err;
+  EXPECT_EQ(form_factors({scene, "--pair", "1"}).code, 2);
+  EXPECT_EQ(form_factors({scene, "--pair", "0", "1"}).code, 2);
+}
+
+// CLAIM      A tolerance that is not reached makes exit code 4 and names the worst pair and its bound; the matrix is written
+//            all the same.
+// ORACLE     exact: nothing reaches a relative error of 1e-15 past an obstruction.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, SaysWhatItDidNotReach) {
+  proves({}, Oracle::exact, "exit code and words");
+  const TemporaryFolder folder;
+  const std::string scene = folder.add("box.vs3", room_texts()[0].second + floating_plate()).string();
+  const Ended ended =
+      form_factors({scene, "--relative", "1e-16", "--absolute", "0", "-o", (folder.path() / "m.npy").string()});
+  EXPECT_EQ(ended.code, 4);
+  EXPECT_TRUE(holds(has(ended.err, "tolerance not reached: ") && has(ended.err, "the largest is "))) << ended.err;
+  EXPECT_EQ(folder.contents(), "box.vs3 m.npy");
+}
+
+// CLAIM      An interrupted run ends with 6 and keeps its checkpoint; --resume finishes to the same bytes; without --resume
+//            the checkpoint is not overwritten, and with another geometry it is refused by the surface's name.
+// ORACLE     metamorphic: the bytes of an undisturbed run.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, ResumesAfterAnInterruption) {
+  proves({}, Oracle::metamorphic, "the bytes of an undisturbed run");
+  const TemporaryFolder folder;
+  const std::string scene = (folder.path() / "slow.json").string(), output = (folder.path() / "m.npy").string(),
+                    whole = (folder.path() / "whole.npy").string();
+  const std::vector<std::string> settings{scene, "--relative", "1e-2", "--absolute", "1e-6", "--quiet", "-o"};
+  const auto with = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"form-factors"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  ProcessOptions interrupted;
+  interrupted.interrupt_after = 1;
+  // As many elements as keep this machine busy for longer than that.
+  int cells = 12;
+  Ended first;
+  for (; cells <= 96; cells += cells / 4) {
+    folder.add("slow.json", slow_scene(cells));
+    first = run_etendue(with({output, "--threads", "1"}), interrupted);
+    if (first.code == 6) break;
+    std::filesystem::remove(output);
+  }
+  ASSERT_EQ(first.code, 6) << first.err;
+  EXPECT_EQ(first.signal, 0);
+  EXPECT_EQ(folder.contents(), "m.npy.checkpoint slow.json");
+  EXPECT_EQ(run_etendue(with({output})).code, 2) << "there is a checkpoint already";
+  folder.add("slow.json", [&] {
+    std::string text = slow_scene(cells);
+    return text.replace(text.find("[1,1,1],[3,1.2,1.1]"), 7, "[1,1,1.0000001]")
+        .replace(text.find("[1,2.8,1.1]"), 11, "[1,2.8,1.1000001]");
+  }());
+  const Ended differs = run_etendue(with({output, "--resume"}));
+  EXPECT_TRUE(holds(differs.code == 3 && has(differs.err, "'screen'"))) << differs.err;
+  folder.add("slow.json", slow_scene(cells));
+  const Ended again = run_etendue(with({output, "--resume"}));
+  EXPECT_TRUE(again.code == 0 || again.code == 4) << again.err;
+  const Ended undisturbed = run_etendue(with({whole, "--threads", "1"}));
+  EXPECT_EQ(undisturbed.code, again.code);
+  EXPECT_TRUE(holds(read_text(output) == read_text(whole)));
+  EXPECT_EQ(folder.contents(), "m.npy slow.json whole.npy");
+}
+
+/// A file that is wrong in one way, and what must be said of it.
+struct WrongFile {
+  std::string name, text, place, words;
+};
+
+std::vector<WrongFile> wrong_files() {
+  const std::string box = room_texts()[0].second, obj = room_texts()[2].second, stl = ascii_stl();
+  const auto with = [](std::string text, const std::string& original, const std::string& instead) {
+    return text.replace(text.find(original), original.size(), instead);
+  };
+  const std::string head = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\nV 6 .5 .1 0\nV 7 2 2 0\n";
+  return {
+      {"a.vs3", with(box, "S 3", "Q 3"), ":14: ", "found unknown record 'Q'"},
+      {"a.vs3", with(box, "V 3 2 1 0", "V 3 2 nan 0"), ":6: ", "vertex 3: found 'nan', expected a finite number"},
+      {"a.vs3", with(box, "V 3 2 1 0", "V 3 2 1e60 0"), ":6: ", "vertex 3: found '1e60'"},
+      {"a.vs3", with(box, "V 3 2 1 0", "V 4 2 1 0"),
+       ":6: ", "vertex 3, its number: found '4', expected an integer in [3, 3]"},
+      {"a.vs3", with(box, "V 3 2 1 0", "V 3 2 1"), ":6: ", "vertex 3: found 2 coordinates, expected x y z"},
+      {"a.vs3", with(box, "S 2 5 8 7 6", "S 2 5 8 7 66"),
+       ":13: ", "surface 2 'wall-1', corner 4: found '66', expected a vertex in [1, 8] or 0"},
+      {"a.vs3", with(box, "0 0 0.9 wall-2", "9 0 0.9 wall-2"), ":14: ", "surface 3 'wall-2': found base 9"},
+      {"a.vs3", with(box, "0 0 0.9 wall-2", "0 3 0.9 wall-2"), ":14: ", "expected a lower number than its own"},
+      {"a.vs3", with(box, "0 0 0.9 wall-2", "0 0 1.9 wall-2"), ":14: ", "surface 3 'wall-2', emit: found '1.9'"},
+      {"a.vs3", with(box, "eps=1e-5", "esp=1e-5"), ":2: ", "unknown control 'esp'"},
+      {"a.vs3", with(box, "F 3\n", "F 2\n"), ":3: ", "record F: found '2', expected 3 or 3a"},
+      {"a.vs3", "T nothing\n", ": ", "found no record 'F 3' or 'F 3a'"},
+      {"a.vs3", box + "S 7 1 2 3 4 0 0 .9 again\n",
+       ":18: ", "surface 'again' is there twice: it covers the same area as surface 'wall-0' of line 12"},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 2 6 4 0 0 1 b\n", ":10: ", "surface 2 'b': is concave"},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 3 2 4 0 0 1 b\n", ":10: ", "surface 2 'b': polygon: "},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 2 2 4 0 0 1 b\n", ":10: ", "coincide"},
+      {"a.vs3", head + "S 1 1 2 3 5 0 0 1 a\n", ":9: ", "surface 1 'a': is not flat: a vertex is "},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 6 7 0 0 0 1 b\n",
+       ":10: ", "surface 'b' overlaps surface 'a' of line 9"},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 6 3 0 0 0 1 b\n", ":10: ", "surface 'b' lies inside surface 'a'"},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 6 7 0 1 0 1 b\n", ":10: ", "reaches beyond its base surface 1 'a'"},
+      {"a.vs3", head + "S 1 1 2 3 4 0 0 1 a\nS 2 1 3 6 0 1 0 1 b\n", ":10: ", "faces its base surface 1 'a'"},
+      {"a.vs3", head + "S 1 1 2 5 0 0 0 1 a\nS 2 1 2 3 4 1 0 1 b\n", ":10: ", "off the plane of its base"},
+      {"a.vs3", "F 3a\nS 1 R 0 0 1 a\n 0 0 0 0 90 1\nS 2 R 0 0 1 b\n", ":2: ", "found 6 numbers below it, expected 7"},
+      {"a.json",
+       with(slow_scene(1), R"({"type": "polygon", "name": "floor")",
+            R"({"type": "sphere", "name": "ball", "material": "m", "centre": [0,0,0], "radius": 1},
+                         {"type": "disc", "name": "lid", "material": "m", "centre": [0,0,9], "normal": [0,0,1], "radius": 1},
+                         {"type": "polygon", "name": "floor")"),
+       ": ", "found sphere 'ball', disc 'lid', expected surfaces that are flat and bounded"},
+      {"a.obj", with(obj, "f 1 2", "f 1 29"), ":11: ", "face 1, corner 2: found '29', expected a vertex in [1, 8]"},
+      {"a.obj", with(obj, "v 2 1 0", "v 2 inf 0"), ":5: ", "vertex 3: found 'inf'"},
+      {"a.obj", obj + "f 1 2 3\n", ":17: ", "surface 'box[7]' lies inside surface 'box[1]'"},
+      {"a.obj", with(obj, "f 1 2 3 4", "f 1 2"), ":11: ", "face 1: found 2 corners, expected 3 or more"},
+      {"a.obj", with(obj, "f 1 2 3 4", "curv 1 2"), ":11: ", "found unknown record 'curv'"},
+      {"a.obj", "v 0 0 0\n", ": ", "found no face"},
+      {"a.stl", with(stl, "vertex 2 0 0", "vertex 2 x 0"), ":5: ", "triangle 1, vertex: found 'x'"},
+      {"a.stl", with(stl, "vertex 2 0 0\n", ""), ":7: ", "found 2 vertices, expected 3"},
+      {"a.stl", stl.substr(0, stl.size() / 2), ":44: ", "cut short"},
+      {"a.stl", binary_stl().substr(0, 600), ": ", "found 600 bytes, expected 684 for the 12 triangles"},
+      {"a.stl", std::string("\x7f", 1), ": ", "do not begin with 'solid'"},
+      {"a.stl", std::string(80, ' ') + "\xff\xff\xff\xff", ": ", "for the 4294967295 triangles"},
+  };
+}
+
+// CLAIM      Each kind of wrong file makes exit code 3 and a message with file, line and surface; nothing is written.
+// ORACLE     exact: files that are wrong in one way each, lines counted by hand.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, RefusesWrongFilesWithTheirPlace) {
+  proves({}, Oracle::exact, "files that are wrong in one way each");
+  std::uint64_t wrong = 0;
+  const auto files = wrong_files();
+  for (const WrongFile& file : files) {
+    const TemporaryFolder folder;
+    const std::string path = folder.add(file.name, file.text).string();
+    const Ended ended = form_factors({path, "-o", (folder.path() / "m.csv").string()});
+    const bool right = ended.code == 3 && ended.out.empty() && has(ended.err, path + file.place) &&
+                       has(ended.err, file.words) && (has(ended.err, " error") || file.name == "a.json") &&
+                       folder.contents() == file.name;
+    if (right) continue;
+    ++wrong;
+    ADD_FAILURE() << "ended with " << ended.code << ", found\n"
+                  << ended.err << "expected\n"
+                  << file.place << " … " << file.words;
+  }
+  EXPECT_TRUE(all_agree(wrong, files.size()));
+}
+
+// CLAIM      All errors of a file are reported at once, in the order of their lines.
+// ORACLE     exact: three errors planted.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, ReportsAllErrorsAtOnce) {
+  proves({}, Oracle::exact, "three errors planted");
+  const TemporaryFolder folder;
+  const std::string path =
+      folder.add("a.vs3", "F 3\nV 1 0 0 0\nV 2 x 0 0\nV 3 1 1 0\nZ 1\nS 1 1 2 9 0 0 0 1 a\n").string();
+  const Ended ended = form_factors({path});
+  const std::string expected = "etendue form-factors: " + path +
+                               ":3: vertex 2: found 'x', expected a finite number no larger than 1e50\n" + path +
+                               ":5: found unknown record 'Z', expected one of T C F V S M N O X / E *\n" + path +
+                               ":6: surface 1 'a', corner 3: found '9', expected a vertex in [1, 3]\n3 errors\n";
+  EXPECT_TRUE(holds(ended.err == expected)) << ended.err;
+}
+
+// CLAIM      Wrong use is refused with exit code 2: another ending, an output that would replace the scene, --resume
+//            without a file, a tolerance out of range.
+// ORACLE     exact: exit codes.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, RefusesWrongUse) {
+  proves({}, Oracle::exact, "exit codes");
+  const TemporaryFolder folder;
+  const std::string scene = folder.add("box.json", read_text(furnace())).string();
+  EXPECT_TRUE(holds(form_factors({scene, "-o", scene}).code == 2));
+  EXPECT_TRUE(holds(form_factors({scene, "-o", (folder.path() / "a.txt").string()}).code == 2));
+  EXPECT_TRUE(holds(form_factors({scene, "--resume"}).code == 2));
+  EXPECT_TRUE(holds(form_factors({scene, "--relative", "-1"}).code == 2));
+  EXPECT_TRUE(holds(form_factors({scene, "--method", "guess"}).code == 2));
+  EXPECT_TRUE(holds(form_factors({folder.add("a.dxf", "x").string()}).code == 2));
+  EXPECT_TRUE(holds(form_factors({(folder.path() / "none.vs3").string()}).code == 5));
+  EXPECT_EQ(read_text(scene), read_text(furnace()));
+}
+
+}  // namespace
+}  // namespace etendue::validation
