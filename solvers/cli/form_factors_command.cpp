@@ -76,8 +76,8 @@ void declare(Options& options, Request& request) {
       "4.");
   options.example("etendue form-factors scenes/furnace/scene.json");
   options.example("etendue form-factors scenes/furnace/scene.json --relative 1e-9 -o furnace.csv");
-  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-4 --pair floor window");
-  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-4 --output l-room.vf");
+  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --pair floor window");
+  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --output l-room.vf");
   options.example("etendue form-factors scenes/furnace/scene.json --method rays --rays 1000 --json");
 }
 
