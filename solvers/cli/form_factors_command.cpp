@@ -138,7 +138,10 @@ class Run {
 
   /// Nothing when stopped.
   std::unique_ptr<const ExchangeMethod> made_method() {
-    const Tolerance& asked = request_.tolerance;
+    Tolerance asked = request_.tolerance;
+    const double share = share_of_parts(model_);
+    asked.relative *= share;
+    asked.absolute *= share;
     if (request_.method == "exact")
       return std::make_unique<ExactExchange>(model_.mesh, AssemblyTolerance{asked, asked});
     if (request_.method == "certified") return std::make_unique<CertifiedExchange>(model_.mesh, asked);

@@ -79,6 +79,16 @@ Result<SurfaceModel> surface_model(const Scene& scene) {
   return model;
 }
 
+double share_of_parts(const SurfaceModel& model) {
+  double least = 1;
+  for (const ComposedRow& row : model.rows) {
+    double terms = 0;
+    for (const ComposedRow::Term& term : row.terms) terms += model.mesh.elements[term.element].polygon.area();
+    if (row.terms.size() > 1) least = std::min(least, row.area / terms);
+  }
+  return least * least;
+}
+
 Bounded row_exchange(const SurfaceModel& model, std::size_t r, std::size_t s,
                      const std::function<Bounded(std::size_t, std::size_t)>& between) {
   for (const Mask& mask : model.masks) {

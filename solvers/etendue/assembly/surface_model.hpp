@@ -49,6 +49,10 @@ struct SurfaceModel {
 /// The model of a scene: a row an element, "name" or "name[3]" where the object has several.
 [[nodiscard]] Result<SurfaceModel> surface_model(const Scene& scene);
 
+/// What share of a row's tolerance its parts may use up. Errors of all terms add, in both rows of a pair, while values may
+/// cancel: (area of a row / sum of its terms' areas)², the least of all rows. 1 for a plain model.
+[[nodiscard]] double share_of_parts(const SurfaceModel& model);
+
 /// The exchange area of two rows from those of their elements; `between(a, b)` is asked for a ≠ b.
 [[nodiscard]] Bounded row_exchange(const SurfaceModel& model, std::size_t r, std::size_t s,
                                    const std::function<Bounded(std::size_t a, std::size_t b)>& between);
