@@ -86,6 +86,9 @@ double share_of_parts(const SurfaceModel& model) {
     for (const ComposedRow::Term& term : row.terms) terms += model.mesh.elements[term.element].polygon.area();
     if (row.terms.size() > 1) least = std::min(least, row.area / terms);
   }
+  // A base of which next to nothing is left would cost more than anything: its bound then says what it did not reach.
+  constexpr double kLeast = 0.1;
+  least = std::max(least, kLeast);
   return least * least;
 }
 

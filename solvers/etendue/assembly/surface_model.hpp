@@ -50,7 +50,7 @@ struct SurfaceModel {
 [[nodiscard]] Result<SurfaceModel> surface_model(const Scene& scene);
 
 /// What share of a row's tolerance its parts may use up. Errors of all terms add, in both rows of a pair, while values may
-/// cancel: (area of a row / sum of its terms' areas)², the least of all rows. 1 for a plain model.
+/// cancel: (area of a row / sum of its terms' areas)², the least of all rows, but at least a hundredth. 1 for a plain model.
 [[nodiscard]] double share_of_parts(const SurfaceModel& model);
 
 /// The exchange area of two rows from those of their elements; `between(a, b)` is asked for a ≠ b.
