@@ -35,10 +35,26 @@ struct CertifiedFactor {
 ///           half the length of the Newell sum. Of a flat polygon that is the factor; where rounding lifts vertices off
 ///           the plane it is that of any surface on the outline, and 0 where it would be less
 /// Returns   the enclosure, what it took, and whether the goal was met: it never claims what it does not hold
-/// Accuracy  inclusion proved: NOTES.md §8. Widths: measured there, of about 1e-14 relatively at best
+/// Accuracy  inclusion proved: NOTES.md §10. Widths measured there: 1e-13 relatively near, 1e-14 far
 /// Errors    ContractViolation for a negative tolerance or no work
 /// Source    Sparrow 1963; truncation as in contour.hpp and area_rule.hpp, in intervals
 [[nodiscard]] CertifiedFactor certified_form_factor(const Polygon& from, const Polygon& to,
                                                     const CertifiedGoal& goal = {});
+
+/// The same past polygons that stand in the way.
+///
+///     F_12 = 1/A_1  ∫_A1 ∫_A2  H_12 cos a_1 cos a_2 / (π r²)  dA_2 dA_1                      @eq IU.6-4
+///
+/// Symbols   as above; H_12 one where the two points see one another, else zero
+/// Domain    at most 31 blockers in the way, convex, two-sided, apart from the two, touching, piercing or overlapping one
+///           another. Those behind from's or to's plane, or in it, hide nothing, `from` and `to` themselves included
+/// Means     the exact numbers, as above. Of a blocker whose corners rounding moved off its plane: from each point its
+///           outline as seen from there, beyond its plane. One in from's or to's plane but for rounding that overlaps
+///           it may hide all or nothing; the enclosure then holds both
+/// Returns   the enclosure; its width falls fast past one blocker, slower where shadows of several overlap
+/// Accuracy  inclusion proved but for what NOTES.md §11 says is counted; widths measured there
+/// Errors    ContractViolation as above, where a blocker is not convex, and where more than 31 are in the way
+[[nodiscard]] CertifiedFactor certified_form_factor(const Polygon& from, const Polygon& to,
+                                                    std::span<const Polygon> blockers, const CertifiedGoal& goal = {});
 
 }  // namespace etendue

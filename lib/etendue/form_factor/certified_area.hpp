@@ -16,7 +16,7 @@ namespace etendue {
 /// Domain    any two outlines, each the sum of the triangles of a fan (signed, so concave ones count right)
 /// Returns   the enclosure with a truncation of about `goal`, or nothing where the outlines are not certainly apart or
 ///           more than `budget` evaluations of the kernel would be needed; `work` is raised by those spent
-/// Accuracy  inclusion proved: NOTES.md §4, §8. Keeps its relative width at any distance
+/// Accuracy  inclusion proved: NOTES.md §4, §10. Keeps its relative width at any distance
 /// Errors    none
 [[nodiscard]] std::optional<Interval> enclosed_area(const EnclosedOutline& first, const EnclosedOutline& second,
                                                     double goal, std::int64_t budget, std::int64_t& work);

@@ -98,7 +98,7 @@ Decay bent_path(const Edges& e, const Interval3& a, const Interval3& b, const In
   const Interval normal_square = square(normal);
   const bool parallel = sine.upper <= kParallel || !(normal_square.lower > 0);
   // Lines that are parallel but for rounding (of cuts, too) count as parallel: the points of the inner edge move across the outer line
-  // by at most `moved`, ∫ ln r by 2π times that at every node and in the integral (NOTES.md §8).
+  // by at most `moved`, ∫ ln r by 2π times that at every node and in the integral (NOTES.md §10).
   const Interval moved = parallel ? sine * e.inner_length : Interval();
   const Interval ends =
       min(norm(e.start - a) + norm(e.start - b), norm(e.end - a) + norm(e.end - b)) - Interval(2) * moved;
@@ -146,7 +146,10 @@ Decay decay_along(const Edges& e, const Interval3& a, const Interval3& b, const 
 /// ∫_0^1 ds of the inner integral, over pieces of the outer edge that are halved towards its singularities.
 class EdgeIntegral {
  public:
-  EdgeIntegral(const Edges& edges, double goal, std::int64_t budget) : e_(edges), goal_(goal), budget_(budget) {}
+  EdgeIntegral(const Edges& edges, double goal, std::int64_t budget) : e_(edges), goal_(goal), budget_(budget) {
+    // Pieces that the rounding of the corners blurs, or that weigh less than the goal, are not worth halving.
+    smallest_ = std::max({kSmallest, kBlur * blur(edges) / edges.outer_length.lower, kTail * goal / edges.largest});
+  }
 
   Interval integrate() {
     add(0, 1);
@@ -159,7 +162,7 @@ class EdgeIntegral {
     const double share = to - from;  // exact: dyadic
     const Interval3 a = Interval(from) * e_.outer, b = Interval(to) * e_.outer;
     const Interval length = Interval(share) * e_.outer_length;
-    if (work_ < budget_ && share > kSmallest) {
+    if (work_ < budget_ && share > smallest_) {
       const Decay decay = decay_along(e_, a, b, length);
       if (decay.rho >= kNarrowEllipse && add_gauss(from, to, decay)) return;
       const double middle = 0.5 * (from + to);
@@ -177,7 +180,7 @@ class EdgeIntegral {
     double truncation = 0;
     for (;; ++n) {
       const Interval bound = Interval(half) * decay.weight * certain_logarithmic_truncation(n, decay.rho);
-      truncation = (bound + Interval(share) * decay.extra).upper;
+      truncation = bound.upper;
       if (truncation <= share * goal_ || n == kMaxNodes) break;
     }
     if (truncation > share * goal_ && truncation > share * kFinest) return false;
@@ -190,7 +193,7 @@ class EdgeIntegral {
     }
     work_ += n;
     sum_ = sum_ + Interval(half) * sum;
-    left_ = above(left_ + truncation);
+    left_ = above(left_ + above(truncation + above(share * decay.extra)));
     return true;
   }
 
@@ -198,7 +201,17 @@ class EdgeIntegral {
   /// (Halves of them would end at numbers near 1 that no double can be.)
   static constexpr double kSmallest = 0x1p-53;
   static constexpr double kFinest = 0x1p-54;
+  static constexpr double kBlur = 4, kTail = 0x1p-5;
+  static double blur(const Edges& e) {
+    double widest = 0;
+    for (const Interval3* p : {&e.outer, &e.start, &e.end}) {
+      widest = std::max({widest, p->x.width(), p->y.width(), p->z.width()});
+    }
+    return widest;
+  }
+
   const Edges& e_;
+  double smallest_ = 0;
   double goal_;
   std::int64_t budget_;
   std::int64_t work_ = 0;
@@ -207,7 +220,7 @@ class EdgeIntegral {
 };
 
 /// ∫ |ln r| / length along a segment no point of which is farther than `reach`: at most that over |x| ≤ reach on its
-/// line, of the larger of |ln |x|| and |ln reach| (NOTES.md §8).
+/// line, of the larger of |ln |x|| and |ln reach| (NOTES.md §10).
 double largest_logarithm(double farthest, const Interval& length) {
   const Interval reach(farthest);
   return (Interval(2) * reach * (Interval(2) + abs(log(reach))) / length + Interval(1)).upper;

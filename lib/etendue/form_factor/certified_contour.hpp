@@ -15,7 +15,7 @@ namespace etendue {
 /// Domain    any two closed chains, touching or not, of size order one
 /// Returns   the enclosure; truncation of about `goal`, the rest is rounding. `work` is raised by the evaluations of the
 ///           inner integral; beyond `budget` what is left counts as unknown
-/// Accuracy  inclusion proved: NOTES.md §2 for the truncation, §8
+/// Accuracy  inclusion proved: NOTES.md §2 for the truncation, §10
 /// Errors    none
 [[nodiscard]] Interval enclosed_contour(const EnclosedOutline& first, const EnclosedOutline& second, double goal,
                                         std::int64_t budget, std::int64_t& work);
