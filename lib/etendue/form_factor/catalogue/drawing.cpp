@@ -169,15 +169,14 @@ void Drawing::zone(Surface which, const Vec3& centre, double radius, double low,
     return -std::asin(std::clamp(z * std::tan(kElevation) / std::sqrt(radius * radius - z * z), -1.0, 1.0));
   };
   constexpr int kSteps = kCorners / 2;
+  // closer towards both ends, where the outline turns
+  const auto level = [&](int k) { return from + (to - from) * (1 - std::cos(std::numbers::pi * k / kSteps)) / 2; };
   std::vector<Vec3> outline;
-  for (int k = 0; k <= kSteps; ++k)
-    outline.push_back(at(from + (to - from) * k / kSteps, turn(from + (to - from) * k / kSteps)));
-  for (int k = 0; k <= kSteps; ++k)
+  for (int k = 0; k <= kSteps; ++k) outline.push_back(at(level(k), turn(level(k))));
+  for (int k = 0; k <= kSteps; ++k) {
     outline.push_back(at(to, turn(to) + (std::numbers::pi - 2 * turn(to)) * k / kSteps));
-  for (int k = kSteps; k >= 0; --k) {
-    const double z = from + (to - from) * k / kSteps;
-    outline.push_back(at(z, std::numbers::pi - turn(z)));
   }
+  for (int k = kSteps; k >= 0; --k) outline.push_back(at(level(k), std::numbers::pi - turn(level(k))));
   for (int k = kSteps; k >= 0; --k) {
     outline.push_back(at(from, turn(from) + (std::numbers::pi - 2 * turn(from)) * k / kSteps));
   }
