@@ -148,6 +148,20 @@ TEST(CertifiedObstruction, JudgesTheObstructedEngine) {
   EXPECT_TRUE(within(static_cast<double>(wide), 2)) << "blockers whose shadows were not told in the work allowed";
 }
 
+// CLAIM      IU.6-4: of two blockers whose shadows overlap, one of them hanging from the receiver, what both hide counts once.
+// ORACLE     program: obstructed_form_factor at 1e-7.
+// TOLERANCE  the engine's bound; kAsked for the width.
+TEST(CertifiedObstruction, CountsCommonShadowsOnce) {
+  proves({"IU.6-4"}, Oracle::program, "obstructed_form_factor at 1e-7, two overlapping shadows");
+  constexpr double kAsked = 1e-3;
+  const std::vector<Polygon> blockers{rectangle({0.6, 0.4, 0.6}, {0.5, 0.1, 0}, {-0.1, 0.4, 0.1}),
+                                      rectangle({0.5, 0.2, 0.7}, {0, 0.6, 0}, {0, 0, 0.3})};
+  const auto f = certified_form_factor(kFloor, kCeiling, blockers, to_relative(kAsked, 400'000));
+  const Bounded engine = obstructed_form_factor(kFloor, kCeiling, blockers, {1e-7, 0});
+  EXPECT_TRUE(holds(engine.value + engine.bound >= f.factor.lower && engine.value - engine.bound <= f.factor.upper));
+  EXPECT_TRUE(within(0.5 * f.factor.width(), kAsked * f.factor.middle()));
+}
+
 /// Whether the segment between two points crosses a convex polygon: signs of volumes, no division.
 bool crosses(const Vec3& p, const Vec3& q, const std::vector<Vec3>& v) {
   const Vec3 normal = (v[1] - v[0]).cross(v[2] - v[0]);
