@@ -5,33 +5,106 @@
 #include <cmath>
 #include <vector>
 
+#include "etendue/form_factor/cell.hpp"
+#include "etendue/form_factor/event_curves.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
 namespace {
 
+const std::vector<Vec2> kFloor{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+const std::vector<Vec3> kCeiling{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
+
 // CLAIM      IU.6-4: the critical lines of a square blocker midway between two unit squares are x = 1/2 and y = 1/2: from
-//            a receiver's vertex 0 or 1 the blocker's edges at 1/4 and 3/4 project to 1/2, −1/2, 3/2 and 1/2.
+//            a receiver's vertex 0 or 1 the blocker's edges at 1/4 and 3/4 project to 1/2, −1/2, 3/2 and 1/2. They cut
+//            the floor into four cells.
 // ORACLE     closed form: similar triangles, exact in double.
 // TOLERANCE  zero: all numbers are dyadic.
 TEST(CriticalLines, AreWhereSimilarTrianglesPutThem) {
   proves({"IU.6-4"}, Oracle::closed_form, "a square blocker between unit squares: x = 1/2 and y = 1/2");
-  const Loop floor = make_loop({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-  const std::vector<Vec3> ceiling{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
-  const std::vector<std::vector<Vec3>> blocker{
-      {{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}}};
-  const std::vector<CriticalLine> lines = critical_lines(floor, ceiling, blocker);
+  const SightZone zone{kFloor, {{{0.25, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.75, 0.5}, {0.25, 0.75, 0.5}}}, false};
+  const std::vector<CriticalLine> lines = critical_lines(kCeiling, zone);
   bool upright = false, level = false;
   for (const CriticalLine& line : lines) {
-    // Where the plane normal · x = level meets the floor's axes; one of the two components is zero.
     const bool is_upright = std::abs(line.normal.x()) > std::abs(line.normal.y());
     const double at = line.level / (is_upright ? line.normal.x() : line.normal.y());
     EXPECT_TRUE(within(std::min(std::abs(line.normal.x()), std::abs(line.normal.y())), 0));
     EXPECT_TRUE(near(at, 0.5, 0));
-    EXPECT_TRUE(line.bounded);
+    EXPECT_TRUE(within(std::max(std::abs(line.begin), std::abs(line.end)), 1.5));
     (is_upright ? upright : level) = true;
   }
-  EXPECT_TRUE(upright && level) << lines.size() << " lines";
+  EXPECT_TRUE(holds(upright && level)) << lines.size() << " lines";
+  const std::vector<Cell> cells = cells_between(kFloor, lines);
+  EXPECT_TRUE(near(static_cast<double>(cells.size()), 4, 0));
+  for (const Cell& cell : cells) EXPECT_TRUE(near(cell.area(), 0.25, 0));
+}
+
+// CLAIM      IU.6-4: a plate above another can be passed by the light that it does not stop only as far as that goes on to
+//            the receiver: events between two plates whose line of sight misses the receiver are not listed.
+// ORACLE     closed form: the corner (1/2, 1/2, 1/4) against the edge x = 1/2 at height 1/2 is seen from x = 1/2 only;
+//            straight up, into the receiver; a receiver beyond x = 2 is missed.
+// TOLERANCE  zero.
+TEST(CriticalLines, EndWhereTheLineOfSightMissesTheReceiver) {
+  proves({"IU.6-4"}, Oracle::closed_form, "two plates one above the other, a receiver above or aside");
+  const std::vector<Vec3> lower{{0.25, 0.25, 0.25}, {0.5, 0.25, 0.25}, {0.5, 0.5, 0.25}, {0.25, 0.5, 0.25}};
+  const std::vector<Vec3> upper{{0.5, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}};
+  const SightZone zone{kFloor, {lower, upper}, false};
+  const auto listed = [&](double shift) {
+    std::vector<Vec3> receiver = kCeiling;
+    for (Vec3& v : receiver) v.x() += shift;
+    const std::vector<CriticalLine> lines = critical_lines(receiver, zone);
+    return std::any_of(lines.begin(), lines.end(), [](const CriticalLine& line) {
+      return line.normal.y() == 0 && line.level / line.normal.x() == 0.5 && line.begin < line.end;
+    });
+  };
+  EXPECT_TRUE(holds(listed(0)));
+  EXPECT_TRUE(holds(!listed(4)));
+}
+
+// CLAIM      IU.6-4: however many lines are drawn through a zone, the cells between them fill it, and no line passes
+//            through the inside of a cell.
+// ORACLE     identity: areas add up to one; no corner of a cell lies on the far side of a line from another.
+// TOLERANCE  kSums for the areas: 600 cells of up to 12 corners, each area within 16 u of one; for the sides the 2^-40
+//            of crosses().
+TEST(CriticalLines, CutAZoneIntoCellsThatTheyDoNotCross) {
+  proves({"IU.6-4"}, Oracle::identity, "40 lines through a square: areas and sides");
+  std::vector<CriticalLine> lines;
+  for (int k = 0; k < 40; ++k) {
+    const double angle = 2.399963 * k;  // the golden angle: no two parallel
+    const Vec2 normal(std::cos(angle), std::sin(angle));
+    lines.push_back({normal, normal.dot(Vec2(0.5, 0.5)) + 0.01 * (k - 20), -10, 10});
+  }
+  const std::vector<Cell> cells = cells_between(kFloor, lines);
+  EXPECT_GT(cells.size(), 300u);
+  double area = 0;
+  std::uint64_t crossed = 0;
+  for (const Cell& cell : cells) {
+    area += cell.area();
+    for (const CriticalLine& line : lines) crossed += crosses(line, cell);
+  }
+  constexpr double kSums = 600 * 16 * 0x1p-53;
+  EXPECT_TRUE(near(area, 1, kSums));
+  EXPECT_TRUE(all_agree(crossed, cells.size() * lines.size()));
+}
+
+// CLAIM      IU.6-4: the lines of sight that meet three edges start, in the source's plane, on a conic; here the regulus of
+//            x = y z, with edges on three of its rulings: from (0, t, 0) one meets all three.
+// ORACLE     closed form: the line through (0, t, 0) in direction (t, 0, 1) lies in the surface x = y z.
+// TOLERANCE  zero: dyadic.
+TEST(EventCurves, VanishWhereOneLineOfSightMeetsThreeEdges) {
+  proves({"IU.6-4"}, Oracle::closed_form, "three rulings of x = y z: the curve is the y axis");
+  // The rulings of the other family: at height z the line x = z y.
+  const auto ruling = [](double z) { return EventCurve::Edge{{-z, -1, z}, {z, 1, z}}; };
+  const EventCurve curve(ruling(0.25), ruling(0.5), ruling(1));
+  for (double t : {-0.75, -0.5, 0.0, 0.25, 0.5}) {
+    EXPECT_TRUE(near(curve.at({0, t}), 0, 0));
+    EXPECT_TRUE(holds(curve.at({0.25, t}) != 0));
+  }
+  Cell across, aside;
+  for (const Vec2& v : {Vec2(-0.5, 0), Vec2(0.5, 0), Vec2(0.25, 1)}) across.add(v);
+  for (const Vec2& v : {Vec2(0.125, 0), Vec2(0.5, 0), Vec2(0.25, 1)}) aside.add(v);
+  EXPECT_TRUE(holds(curve.may_cross(across)));
+  EXPECT_TRUE(holds(!curve.may_cross(aside)));
 }
 
 }  // namespace

@@ -4,101 +4,133 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <limits>
 
 namespace etendue {
 
 namespace {
 
-/// Where the ray from `far` through `near` meets the source's plane; nothing where it does not come down.
-std::optional<Vec3> project(const Vec3& far, double far_height, const Vec3& near, double near_height) {
-  if (!(far_height > near_height)) return std::nullopt;
-  return far + (near - far) * (far_height / (far_height - near_height));
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// det(a − x, b − x, c − x) for x in the plane z = 0: an affine function of x.
+struct Side {
+  Vec2 gradient;
+  double constant;
+  double at(const Vec2& x) const { return constant + gradient.dot(x); }
+};
+
+Side side_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a);
+  return {-normal.head<2>(), normal.dot(a)};
 }
 
 class Collector {
  public:
-  explicit Collector(const Loop& source) : source_(source) {}
-
-  /// The plane through `a`, `b` and `c`, traced where the projections `p` and `q` of the event's ends lie.
-  void add(const Vec3& a, const Vec3& b, const Vec3& c, const std::optional<Vec3>& p, const std::optional<Vec3>& q) {
-    if (!p && !q) return;
-    const Vec3 normal = (b - a).cross(c - a);
-    const double size = normal.norm();
-    if (!(size > 0)) return;
-    lines_.push_back({normal / size, normal.dot(a) / size, p.value_or(a), q.value_or(a), p && q});
+  Collector(std::span<const Vec3> receiver, const SightZone& zone) : receiver_(receiver), zone_(zone) {
+    Vec2 centre = Vec2::Zero();
+    for (const Vec2& v : zone.corners) centre += v / static_cast<double>(zone.corners.size());
+    for (std::size_t i = 0; i < receiver.size() && receiver_is_convex_; ++i) {
+      const Side corner =
+          side_of(receiver[i], receiver[(i + 1) % receiver.size()], receiver[(i + 2) % receiver.size()]);
+      receiver_is_convex_ = corner.at(centre) <= 0;
+    }
   }
 
-  void add_plane(const std::vector<Vec3>& blocker) {
-    const Vec3 normal = (blocker[1] - blocker[0]).cross(blocker[2] - blocker[0]);
-    const double size = normal.norm();
-    if (size > 0) lines_.push_back({normal / size, normal.dot(blocker[0]) / size, blocker[0], blocker[0], false});
-  }
-
-  /// Events between the edges and vertices of a far loop and those of a near one.
-  void add_pair(std::span<const Vec3> far, std::span<const Vec3> near) {
-    std::vector<double> far_heights, near_heights;
-    for (const Vec3& v : far) far_heights.push_back(height_above(source_, v));
-    for (const Vec3& v : near) near_heights.push_back(height_above(source_, v));
-    std::vector<std::optional<Vec3>> projections;
-    for (std::size_t i = 0; i < far.size(); ++i) {
-      for (std::size_t j = 0; j < near.size(); ++j) {
-        projections.push_back(project(far[i], far_heights[i], near[j], near_heights[j]));
-      }
-    }
-    const auto at = [&](std::size_t i, std::size_t j) { return projections[i * near.size() + j]; };
-    for (std::size_t i = 0; i < far.size(); ++i) {
-      const std::size_t i_next = (i + 1) % far.size();
-      for (std::size_t j = 0; j < near.size(); ++j) {
-        const std::size_t j_next = (j + 1) % near.size();
-        add(far[i], near[j], near[j_next], at(i, j), at(i, j_next));
-        add(near[j], far[i], far[i_next], at(i, j), at(i_next, j));
-      }
-    }
+  /// Between the corners and edges of two loops; `past` where the line of sight has to go on to the receiver.
+  void add_pair(std::span<const Vec3> first, std::span<const Vec3> second, bool past) {
+    for (const Vec3& corner : first) add_corner(corner, second, past);
+    for (const Vec3& corner : second) add_corner(corner, first, past);
+    add_horizon(first, second);
   }
 
   std::vector<CriticalLine> take() { return std::move(lines_); }
 
  private:
-  const Loop& source_;
+  void add_corner(const Vec3& corner, std::span<const Vec3> loop, bool past) {
+    for (std::size_t j = 0; j < loop.size(); ++j) add(corner, loop[j], loop[j + 1 < loop.size() ? j + 1 : 0], past);
+  }
+
+  void add(const Vec3& corner, const Vec3& a, const Vec3& b, bool past) {
+    if (!(corner.z() > 0)) return;
+    const Vec3 normal = (a - corner).cross(b - corner);
+    const double size = normal.head<2>().norm();
+    if (!(size > 0)) return;  // coincident points, or a plane that never meets the source's
+    CriticalLine line{normal.head<2>() / size, normal.dot(corner) / size, kInfinity, -kInfinity};
+    extend(line, corner, a, b);
+    extend(line, corner, b, a);
+    if (past && receiver_is_convex_) clip_past(line, corner);
+    keep(line);
+  }
+
+  /// Takes in where the lines through the corner and the points of the edge near its end `a` come down to the source.
+  static void extend(CriticalLine& line, const Vec3& corner, const Vec3& a, const Vec3& b) {
+    const double rise = a.z() - corner.z(), other = b.z() - corner.z();
+    if (rise != 0) {
+      const Vec2 down = corner.head<2>() - corner.z() / rise * (a - corner).head<2>();
+      line.begin = std::min(line.begin, line.along(down));
+      line.end = std::max(line.end, line.along(down));
+    }
+    if (rise == 0 || rise * other > 0) return;
+    // A point of the edge is level with the corner: seen along it the source is infinitely far.
+    const Vec3 level = other == rise ? a : Vec3(a + rise / (rise - other) * (b - a));
+    const double drift = line.along((level - corner).head<2>());
+    const bool to_end = (drift > 0) != (rise > 0);
+    if (drift == 0) return;
+    (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
+  }
+
+  /// Keeps the stretch from which the corner is seen against the receiver.
+  void clip_past(CriticalLine& line, const Vec3& corner) const {
+    const Vec2 foot = line.level * line.normal, direction(-line.normal.y(), line.normal.x());
+    for (std::size_t i = 0; i < receiver_.size(); ++i) {
+      // Seen from the source the receiver runs clockwise: inside, the corner lies on the negative side.
+      const Side side = side_of(receiver_[i], receiver_[(i + 1) % receiver_.size()], corner);
+      const double at_foot = side.at(foot), slope = side.gradient.dot(direction);
+      if (slope > 0) line.end = std::min(line.end, -at_foot / slope);
+      if (slope < 0) line.begin = std::max(line.begin, -at_foot / slope);
+      if (slope == 0 && at_foot > 0) line.end = -kInfinity;
+    }
+  }
+
+  /// Corners of both loops in the source's plane: seen past one another along their line, outside the two.
+  void add_horizon(std::span<const Vec3> first, std::span<const Vec3> second) {
+    for (const Vec3& a : first) {
+      for (const Vec3& b : second) {
+        if (a.z() != 0 || b.z() != 0 || a == b) continue;
+        const Vec2 along = (b - a).head<2>().normalized();
+        const Vec2 normal(along.y(), -along.x());
+        keep({normal, normal.dot(a.head<2>()), -kInfinity, kInfinity});
+      }
+    }
+  }
+
+  void keep(CriticalLine line) {
+    double below = 0, above = 0, first = kInfinity, last = -kInfinity;
+    for (const Vec2& v : zone_.corners) {
+      below = std::min(below, line.height(v));
+      above = std::max(above, line.height(v));
+      first = std::min(first, line.along(v));
+      last = std::max(last, line.along(v));
+    }
+    if (below == 0 || above == 0) return;
+    if (line.begin < last && line.end > first && line.begin < line.end) lines_.push_back(line);
+  }
+
+  std::span<const Vec3> receiver_;
+  const SightZone& zone_;
+  bool receiver_is_convex_ = true;
   std::vector<CriticalLine> lines_;
 };
 
 }  // namespace
 
-std::vector<CriticalLine> critical_lines(const Loop& source, std::span<const Vec3> receiver,
-                                         std::span<const std::vector<Vec3>> blockers) {
-  Collector collector(source);
-  for (std::size_t i = 0; i < blockers.size(); ++i) {
-    collector.add_plane(blockers[i]);
-    collector.add_pair(receiver, blockers[i]);
-    for (std::size_t j = 0; j < blockers.size(); ++j) {
-      if (i != j) collector.add_pair(blockers[i], blockers[j]);
-    }
+std::vector<CriticalLine> critical_lines(std::span<const Vec3> receiver, const SightZone& zone) {
+  Collector collector(receiver, zone);
+  for (std::size_t i = 0; i < zone.outlines.size(); ++i) {
+    collector.add_pair(receiver, zone.outlines[i], false);
+    for (std::size_t j = 0; j < i; ++j) collector.add_pair(zone.outlines[j], zone.outlines[i], true);
   }
-  std::vector<CriticalLine> lines = collector.take();
-  std::erase_if(lines, [&](const CriticalLine& line) { return !meets(line, source.vertices); });
-  return lines;
-}
-
-bool meets(const CriticalLine& line, std::span<const Vec3> cell) {
-  double low = 0, high = 0, reach = 0;
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& v : cell) {
-    const double height = line.normal.dot(v) - line.level;
-    low = std::min(low, height);
-    high = std::max(high, height);
-    centre += v / static_cast<double>(cell.size());
-  }
-  for (const Vec3& v : cell) reach = std::max(reach, (v - centre).norm());
-  // A cell that has been cut along the line touches it with rounding only: that is not a crossing.
-  constexpr double kTouch = 0x1p-30;
-  if (std::min(-low, high) <= kTouch * reach) return false;
-  if (!line.bounded) return true;
-  const Vec3 along = line.end - line.start;
-  const double square = along.squaredNorm();
-  const double t = square > 0 ? std::clamp((centre - line.start).dot(along) / square, 0.0, 1.0) : 0;
-  return (line.start + t * along - centre).norm() <= reach;
+  return collector.take();
 }
 
 }  // namespace etendue

@@ -4,28 +4,28 @@
 #include <span>
 #include <vector>
 
-#include "etendue/form_factor/loop.hpp"
+#include "etendue/form_factor/sight_zone.hpp"
 
 namespace etendue {
 
-/// A line in the source's plane, as the trace of a plane: normal · x = level there. Where the source crosses it between
-/// `start` and `end` the visible part of the receiver gains or loses a corner, and the factor its smoothness.
+/// A stretch of a line in the source's plane: normal · x = level, from `begin` to `end` along (−normal_y, normal_x).
+/// Where the source crosses it the visible part of the receiver gains or loses a corner, and the factor its smoothness.
 struct CriticalLine {
-  Vec3 normal;
+  Vec2 normal;  ///< unit
   double level;
-  Vec3 start;
-  Vec3 end;
-  bool bounded;  ///< false: the event may happen anywhere along the line
+  double begin;  ///< may be infinite
+  double end;
+
+  double height(const Vec2& x) const { return normal.dot(x) - level; }
+  double along(const Vec2& x) const { return normal.x() * x.y() - normal.y() * x.x(); }
 };
 
-/// The lines in which the planes through a blocker's edge and a receiver's vertex, a blocker's vertex and a receiver's
-/// edge, and the blockers' own planes cut the source's plane. Events of three blocker edges are curves and not listed.
+/// Where, seen from the zone, a corner of the receiver or of an outline passes an edge of another: the traces of the
+/// planes through both, as far as the line of sight through the corner meets the edge itself and, between two
+/// outlines, goes on to the receiver. Events of three edges are curves: see event_curves.hpp.
 ///
-/// Domain    blockers between the two planes: above source's, in front of receiver's
-[[nodiscard]] std::vector<CriticalLine> critical_lines(const Loop& source, std::span<const Vec3> receiver,
-                                                       std::span<const std::vector<Vec3>> blockers);
-
-/// Whether the event may happen inside the convex `cell` of the source's plane.
-[[nodiscard]] bool meets(const CriticalLine& line, std::span<const Vec3> cell);
+/// Domain    outlines between the two planes
+/// Returns   those that meet the zone
+[[nodiscard]] std::vector<CriticalLine> critical_lines(std::span<const Vec3> receiver, const SightZone& zone);
 
 }  // namespace etendue

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "etendue/form_factor/cell.hpp"
+#include "etendue/form_factor/shadow_view.hpp"
+
+namespace etendue {
+
+/// What is integrated over the source: the factor of what is hidden, or of what is seen.
+enum class Integrand { hidden, visible };
+
+/// A Gauss rule's sum over a cell, and what it met.
+struct CellSum {
+  double value = 0;
+  double low = 1;  ///< least and greatest of the samples
+  double high = 0;
+  double tail =
+      0;  ///< sum over the quadrilaterals of area × the largest coefficient of the highest Legendre polynomial
+          ///< that the nodes resolve, of all rows and columns of nodes
+  int evaluations = 0;
+};
+
+/// Integrates over the cell with n × n nodes a quadrilateral. Where a corner of a loop touches the cell or comes near,
+/// the integrand depends on the direction from there: triangles collapsed into that corner make it smooth again.
+[[nodiscard]] CellSum integrate(ShadowView& view, Integrand integrand, const Cell& cell, std::span<const Vec3> near,
+                                int n);
+
+}  // namespace etendue

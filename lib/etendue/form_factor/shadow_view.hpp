@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "etendue/form_factor/sight_zone.hpp"
+
+namespace etendue {
+
+/// The receiver past the outlines of a zone, from one point of the source after the other: exact but for rounding.
+///
+/// The hidden part is taken off outline by outline, a half-space of its cone at a time; what is left over is seen. No
+/// memory is asked for once the buffers have grown.
+class ShadowView {
+ public:
+  ShadowView(std::span<const Vec3> receiver, std::span<const Outline> outlines);
+
+  /// Factors of a point of the source: of the whole receiver, and of what is hidden of it.
+  struct Seen {
+    double free = 0;
+    double hidden = 0;
+    double bound = 0;  ///< on the rounding error of either, together
+  };
+  /// What is not asked for stays 0.
+  enum class Want { hidden, both, both_bounded };
+  Seen from(const Vec2& x, Want want);
+
+ private:
+  using Part = std::vector<Vec3>;
+  void take_shadow(std::size_t outline, const Vec3& eye, bool last, Want want, Seen& seen);
+  double turning_of(const Outline& loop, const Vec3& eye) const;
+
+  std::span<const Vec3> receiver_;
+  std::span<const Outline> outlines_;
+  std::vector<Part> parts_, remaining_;  ///< of which the first `used` count
+  std::size_t used_ = 0, kept_ = 0;
+  std::vector<Vec3> planes_;
+  std::vector<double> heights_;
+  Part buffer_;
+};
+
+}  // namespace etendue

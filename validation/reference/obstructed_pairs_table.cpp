@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes obstructed_pairs.csv: A_1 F_12 past plates for the pairs of oracles/obstructed_pairs.hpp, each integrated over the
+// one polygon and over the other, in slices of different directions. Run by hand; no argument makes all rows (some hours),
+// two arguments a share of them:
+//     obstructed-pairs-table [remainder modulus] > obstructed_pairs.csv
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "oracles/obstructed_pairs.hpp"
+
+int main(int count, char** arguments) {
+  namespace oracle = etendue::oracle;
+  constexpr double kWanted = 1e-10;  // of A_1 F_12, between the two integrations
+  const int remainder = count > 2 ? std::atoi(arguments[1]) : 0, modulus = count > 2 ? std::atoi(arguments[2]) : 1;
+  if (remainder == 0) std::printf("family,index,exchange,uncertainty\n");
+  int row = 0;
+  for (int index = 0; index < oracle::kMostPairs; ++index) {
+    for (const oracle::PairFamily family : oracle::kPairFamilies) {
+      if (index >= oracle::pairs_in(family) || row++ % modulus != remainder) continue;
+      const oracle::ObstructedPair pair = oracle::obstructed_pair(family, index);
+      // The rules' own differences are far above their errors: what counts is how far the two integrations differ.
+      double goal = pair.plates.size() == 1 ? 1e-8 : 1e-7, value = 0, difference = 0;
+      for (int attempt = 0; attempt < 3; ++attempt) {
+        const double there = oracle::obstructed_exchange(pair, 0.3, goal).value;
+        const double back = oracle::obstructed_exchange(oracle::reversed(pair), 1.0, goal).value;
+        value = 0.5 * (there + back);
+        difference = std::abs(there - back);
+        if (difference <= kWanted) break;
+        goal *= 0.03;
+      }
+      std::printf("%s,%d,%.17g,%.2g\n", oracle::name(family).data(), index, value, difference);
+      std::fflush(stdout);
+    }
+  }
+}
