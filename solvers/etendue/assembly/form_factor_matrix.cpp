@@ -53,7 +53,7 @@ PairFactor pair_factor(const ElementMesh& mesh, const SightMap& sights, const As
       break;
   }
   ++counts.obstructed;
-  for (const std::size_t face : line.blockers) pair.blockers.push_back(mesh.faces[face].polygon);
+  pair.blockers = line.bodies;
   return two_sided_factor(pair, tolerance);
 }
 

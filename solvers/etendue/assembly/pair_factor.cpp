@@ -36,14 +36,14 @@ std::vector<Polygon> quartered(const std::vector<Polygon>& polygons) {
   return parts;
 }
 
-Bounded factor(const Polygon& from, const Polygon& to, const std::vector<Polygon>& blockers,
+Bounded factor(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
                const AssemblyTolerance& tolerance) {
   return blockers.empty() ? form_factor(from, to, tolerance.free)
                           : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
 }
 
 // The mean over the parts of the source, weighted by area.
-Bounded mean_factor(const std::vector<Polygon>& from, const Polygon& to, const std::vector<Polygon>& blockers,
+Bounded mean_factor(const std::vector<Polygon>& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
                     const AssemblyTolerance& tolerance) {
   double area = 0;
   Bounded sum;

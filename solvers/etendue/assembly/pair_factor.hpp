@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "etendue/core/bounded.hpp"
+#include "etendue/form_factor/blocker.hpp"
 #include "etendue/geometry/polygon.hpp"
 
 namespace etendue {
@@ -25,7 +26,7 @@ inline constexpr int kMostQuarterings = 7;
 struct ElementPair {
   const Polygon& first;
   const Polygon& second;
-  std::vector<Polygon> blockers;
+  std::vector<const Blocker*> blockers;  ///< whoever made them keeps them alive
 };
 
 /// A form factor, and what is known of it from the other side.

@@ -3,12 +3,22 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+
+#include "etendue/core/rounding.hpp"
 
 namespace etendue {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A corner is off by up to 4u of its coordinates after a transform and a subdivision, a centroid and a unit normal by as
+/// much; a height takes two corners, the normal times their distance, and a dot product: 24u. More than twice that.
+constexpr double kHeightRoundings = 64;
+
+/// Objects of more faces are not tried as solids: that compares every face with every corner.
+constexpr std::size_t kMostFaces = 32;
 
 double height(const Polygon& plane, const Vec3& point) {
   return plane.normal().dot(point - plane.centroid());
@@ -45,7 +55,12 @@ SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
   };
   for (const Face& face : mesh.faces) face_bounds_.push_back(bounds_of(face.polygon));
   for (const Element& element : mesh.elements) element_bounds_.push_back(bounds_of(element.polygon));
-  slack_ = kTouching * diagonal(mesh);
+  double largest = 0;
+  for (const Bounds& bounds : face_bounds_) {
+    largest = std::max({largest, bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff()});
+  }
+  slack_ = kHeightRoundings * kUnitRoundoff * largest;
+  gather_bodies();
   heights_.reserve(mesh.faces.size() * mesh.elements.size());
   for (const Face& face : mesh.faces) {
     for (const Element& element : mesh.elements) {
@@ -59,16 +74,37 @@ SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
   }
 }
 
+void SightMap::gather_bodies() {
+  for (std::size_t first = 0; first < mesh_.faces.size();) {
+    std::size_t last = first;
+    std::vector<Polygon> faces;
+    while (last < mesh_.faces.size() && mesh_.faces[last].object == mesh_.faces[first].object) {
+      faces.push_back(mesh_.faces[last++].polygon);
+    }
+    std::optional<Blocker> solid;
+    if (faces.size() <= kMostFaces) solid = Blocker::solid(faces);
+    for (std::size_t f = first; f < last; ++f) {
+      if (!solid) bodies_.push_back(Blocker::plate(mesh_.faces[f].polygon));
+      body_of_.push_back(solid ? bodies_.size() : bodies_.size() - 1);
+    }
+    if (solid) bodies_.push_back(*std::move(solid));
+    first = last;
+  }
+}
+
 SightLine SightMap::between(std::size_t first, std::size_t second) const {
   const Polygon& from = mesh_.elements[first].polygon;
   const Polygon& to = mesh_.elements[second].polygon;
-  if (greatest_height(from, to) <= slack_ || greatest_height(to, from) <= slack_) return {Sight::averted, {}};
-  SightLine line{Sight::clear, {}};
+  if (greatest_height(from, to) <= slack_ || greatest_height(to, from) <= slack_) return {Sight::averted, {}, {}};
+  SightLine line{Sight::clear, {}, {}};
   for (std::size_t face = 0; face < mesh_.faces.size(); ++face) {
     if (!may_block(face, first, second)) continue;
-    if (hides_all(face, first, second)) return {Sight::blocked, {}};
+    if (hides_all(face, first, second)) return {Sight::blocked, {}, {}};
     line.sight = Sight::undecided;
     line.blockers.push_back(face);
+    const Blocker* body = &bodies_[body_of_[face]];
+    // Faces of an object follow one another.
+    if (line.bodies.empty() || line.bodies.back() != body) line.bodies.push_back(body);
   }
   return line;
 }
