@@ -36,8 +36,8 @@ void add_box(ElementMesh& mesh, const Vec3& low, const Vec3& size, int n, bool i
       for (int k = 0; k < 3; ++k) q(k) = std::abs(p(k) - o(k)) < std::abs(p(k) - e(k)) ? o(k) : e(k);
       return q;
     };
-    mesh.faces.push_back({Polygon::make({near, snap(near + along), snap(near + along + up), snap(near + up)}).value(),
-                          object, 0});
+    mesh.faces.push_back(
+        {Polygon::make({near, snap(near + along), snap(near + along + up), snap(near + up)}).value(), object, 0});
     for (int i = 0; i < n; ++i) {
       for (int j = 0; j < n; ++j) {
         const auto at = [&](int k, int l) { return Vec3(near + along * (k / double(n)) + up * (l / double(n))); };
@@ -116,14 +116,10 @@ void rows_of_a_furnished_room(benchmark::State& state) {
   state.counters["partial_a_row"] = static_cast<double>(partial) / n;
   state.counters["clear_a_row"] = static_cast<double>(clear) / n;
   state.counters["points_a_partial"] = static_cast<double>(evaluations) / static_cast<double>(partial);
-  state.counters["full_matrix_s"] =
-      benchmark::Counter(2 * n / static_cast<double>(mesh.elements.size()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["full_matrix_s"] = benchmark::Counter(2 * n / static_cast<double>(mesh.elements.size()),
+                                                       benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK(rows_of_a_furnished_room)
-    ->ArgsProduct({{22}, {4, 6}})
-    ->Unit(benchmark::kMillisecond)
-    ->Iterations(1);
+BENCHMARK(rows_of_a_furnished_room)->ArgsProduct({{22}, {4, 6}})->Unit(benchmark::kMillisecond)->Iterations(1);
 
 }  // namespace
