@@ -29,10 +29,10 @@ TEST(PairFactor, SeesThroughNarrowWays) {
   proves({"IU.6-4", "IU.6-5"}, Oracle::identity, "the strip of the cell that sees through");
   const NarrowWay way;
   for (const double strip : {0.25, 0.05, 0.02, 0.01, 0.005}) {
-    const Polygon wall = way.wall(strip);
-    const PairFactor whole = two_sided_factor({way.floor, way.ceiling, {wall}}, {});
+    const Blocker wall = Blocker::plate(way.wall(strip));
+    const PairFactor whole = two_sided_factor({way.floor, way.ceiling, {&wall}}, {});
     const Polygon seeing = quadrilateral({2, 3.3, 0}, {2 + strip, 3.3, 0}, {2 + strip, 3.85, 0}, {2, 3.85, 0});
-    const PairFactor part = two_sided_factor({seeing, way.ceiling, {wall}}, {});
+    const PairFactor part = two_sided_factor({seeing, way.ceiling, {&wall}}, {});
     const double share = seeing.area() / way.floor.area();
     EXPECT_TRUE(whole.agree) << strip;
     EXPECT_TRUE(near(whole.factor.value, share * part.factor.value, whole.factor.bound + share * part.factor.bound));

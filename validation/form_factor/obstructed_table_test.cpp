@@ -60,7 +60,7 @@ struct Scene {
 
 /// The frame's rounding of corners of size one moves edges by it; factors by no more.
 constexpr double kFrame = 64 * 0x1p-53;
-constexpr std::size_t kLeastRows = 370;
+constexpr std::size_t kLeastRows = 700;
 constexpr std::uint64_t kSeed = 20261122;
 constexpr double kGoal = 1e-8;  ///< of the recomputed rows; their own error says what was reached
 
