@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Makes obstructed_pairs.csv: A_1 F_12 past plates for the pairs of oracles/obstructed_pairs.hpp, each integrated over the
-// one polygon and over the other, in slices of different directions. Run by hand; no argument makes all rows (some hours),
+// one polygon and over the other, in slices of different directions. Run by hand; no argument makes all rows (some hours; the file
+// holds those made so far),
 // two arguments a share of them:
 //     obstructed-pairs-table [remainder modulus] > obstructed_pairs.csv
 #include <cmath>
