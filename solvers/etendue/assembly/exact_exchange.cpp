@@ -85,7 +85,7 @@ void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> 
         break;
       case Sight::undecided:
         ++report.obstructed;
-        for (const std::size_t face : line.blockers) pair.elements.blockers.push_back(mesh_.faces[face].polygon);
+        pair.elements.blockers = line.bodies;
         exchanges[k] = pair.find(true, report);
         break;
     }
