@@ -47,7 +47,8 @@ TEST(CriticalLines, AreWhereSimilarTrianglesPutThem) {
 TEST(CriticalLines, EndWhereTheLineOfSightMissesTheReceiver) {
   proves({"IU.6-4"}, Oracle::closed_form, "two plates one above the other, a receiver above or aside");
   const std::vector<Vec3> lower{{0.25, 0.25, 0.25}, {0.5, 0.25, 0.25}, {0.5, 0.5, 0.25}, {0.25, 0.5, 0.25}};
-  const std::vector<Vec3> upper{{0.5, 0.25, 0.5}, {0.75, 0.25, 0.5}, {0.75, 0.5, 0.5}, {0.5, 0.5, 0.5}};
+  const std::vector<Vec3> upper{{0.5, 0.25, 0.5}, {0.8, 0.25, 0.5}, {0.8, 0.5, 0.5}, {0.5, 0.5, 0.5}};
+  // No corner of a receiver makes the line x = 1/2 with an edge of either: (e − r h)/(1 − h) for edges at e, height h.
   const SightZone zone{kFloor, {lower, upper}, false};
   const auto listed = [&](double shift) {
     std::vector<Vec3> receiver = kCeiling;
@@ -100,11 +101,15 @@ TEST(EventCurves, VanishWhereOneLineOfSightMeetsThreeEdges) {
     EXPECT_TRUE(near(curve.at({0, t}), 0, 0));
     EXPECT_TRUE(holds(curve.at({0.25, t}) != 0));
   }
+  // Three parallel edges: whatever rounding leaves of zero is no curve.
+  const auto parallel = [](const Vec3& p) { return EventCurve::Edge{p, p + Vec3(0.3, 0.7, 0.2)}; };
+  const EventCurve none(parallel({0.1, 0.1, 0.3}), parallel({0.3, 0.2, 0.7}), parallel({0.7, 0, 0.9}));
   Cell across, aside;
   for (const Vec2& v : {Vec2(-0.5, 0), Vec2(0.5, 0), Vec2(0.25, 1)}) across.add(v);
   for (const Vec2& v : {Vec2(0.125, 0), Vec2(0.5, 0), Vec2(0.25, 1)}) aside.add(v);
   EXPECT_TRUE(holds(curve.may_cross(across)));
   EXPECT_TRUE(holds(!curve.may_cross(aside)));
+  EXPECT_TRUE(holds(!none.may_cross(across)));
 }
 
 }  // namespace

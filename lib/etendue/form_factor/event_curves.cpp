@@ -52,10 +52,19 @@ double EventCurve::at(const Vec2& x) const {
 }
 
 bool EventCurve::may_cross(const Cell& cell) const {
+  // Edges along the axes make conics of lines that the cells were cut along already, or that vanish everywhere: a value
+  // within the rounding of corners and cuts, compared with the planes' own sizes, is on the curve and beside nothing.
+  constexpr double kOnCurve = 0x1p-36;
+  double size = 0;
+  for (int i = 0; i < cell.size(); ++i) {
+    double product = 1;
+    for (const Edge& edge : edges_) product *= plane_over(edge, cell[i]).norm();
+    size = std::max(size, product);
+  }
   bool positive = false, negative = false;
   const auto note = [&](double value) {
-    positive = positive || value > 0;
-    negative = negative || value < 0;
+    positive = positive || value > kOnCurve * size;
+    negative = negative || value < -kOnCurve * size;
   };
   // Of the quadratic on each triangle of a fan: values at the corners, 2 f(middle) − (f_i + f_j)/2 at the sides.
   std::array<double, Cell::kMostCorners> values{};
