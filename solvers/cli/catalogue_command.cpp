@@ -12,7 +12,9 @@
 #include "etendue/form_factor/catalogue/catalogue.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/nearest.hpp"
+#include "etendue/text/utf8.hpp"
 #include "options.hpp"
+#include "outputs.hpp"
 
 namespace etendue::cli {
 
@@ -34,8 +36,7 @@ std::string brief(double value) {
 }
 
 int fail(std::ostream& err, const Error& error) {
-  err << "etendue catalogue: " << error.message << '\n';
-  return static_cast<int>(error.code);
+  return cli::fail(err, "catalogue", error);
 }
 
 std::string parameter_names(const cat::Entry& entry) {
@@ -189,17 +190,26 @@ int one(const cat::Entry& entry, const std::vector<std::string>& arguments, std:
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i] != parameters[i]) missing.push_back("--" + std::string(entry.parameters[i].symbol));
   }
-  if (!request.svg.empty()) {
-    const auto written = write_file(request.svg, cat::svg(entry));
-    if (!written.ok()) return fail(err, written.error());
-  }
-  if (missing.empty()) return print_factor(entry, parameters, request.json, out, err);
-  if (missing.size() < parameters.size()) {
+  if (!missing.empty() && missing.size() < parameters.size()) {
     std::string names;
     for (const auto& name : missing) names += (names.empty() ? "" : ", ") + name;
     return options.usage_error(err, "missing " + names + ": all parameters for the value, none for the page");
   }
-  if (!request.svg.empty()) return 0;
+  if (!request.svg.empty() && request.svg.extension() != ".svg") {
+    return options.usage_error(err, "option '--svg': found " + quoted_path(request.svg) + ", expected a name in .svg");
+  }
+  if (!request.svg.empty()) {
+    if (const auto free = check_outputs({request.svg}, {}); !free) return fail(err, free.error());
+  }
+  if (missing.empty()) {
+    const int code = print_factor(entry, parameters, request.json, out, err);
+    if (code != 0) return code;
+  }
+  if (!request.svg.empty()) {
+    const auto written = write_file(request.svg, cat::svg(entry));
+    if (!written.ok()) return fail(err, written.error());
+  }
+  if (missing.empty() || !request.svg.empty()) return 0;
   if (request.json) {
     out << page_json(entry).dump(1) << '\n';
   } else {
@@ -214,8 +224,8 @@ int catalogue(const std::vector<std::string>& arguments, std::ostream& out, std:
   if (arguments.empty() || arguments.front().rfind("-", 0) == 0) return list(arguments, out, err);
   const cat::Entry* entry = cat::find(arguments.front());
   if (entry) return one(*entry, {arguments.begin() + 1, arguments.end()}, out, err);
-  err << "etendue catalogue: unknown configuration '" << arguments.front() << "'" << by_number(arguments.front())
-      << "\nTry 'etendue catalogue' for the list.\n";
+  err << "etendue catalogue: unknown configuration '" << printable(arguments.front()) << "'"
+      << by_number(arguments.front()) << "\nTry 'etendue catalogue' for the list.\n";
   return static_cast<int>(ErrorCode::usage);
 }
 

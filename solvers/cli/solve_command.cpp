@@ -11,6 +11,7 @@
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/image_file.hpp"
+#include "etendue/meshing/surface_checks.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
 #include "memory.hpp"
@@ -159,6 +160,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   auto mesh = mesh_elements(report.file.scene);
   if (!mesh) return mesh.error();
   report.mesh = std::move(mesh).value();
+  if (const auto apart = check_overlaps(report.file.scene, report.mesh); !apart) return apart.error();
   if (const auto room = check_memory(report.mesh); !room) {
     return Error{room.error().code, request.scene.string() + ": " + room.error().message};
   }

@@ -27,10 +27,11 @@ constexpr int exit_code(ErrorCode code) {
 
 void print_usage(std::ostream& out) {
   out << "etendue: verified light transport\n\nUsage: etendue COMMAND [OPTIONS] …\n\nCommands:\n";
+  std::size_t width = 0;
+  for (const auto& command : commands()) width = std::max(width, std::string(command.name).size() + 2);
   for (const auto& command : commands()) {
     const std::string name = command.name;
-    out << "  " << name << std::string(std::max<std::size_t>(10, name.size() + 2) - name.size(), ' ') << command.summary
-        << '\n';
+    out << "  " << name << std::string(width - name.size(), ' ') << command.summary << '\n';
   }
   out << "\n  --help     print this and exit; after a command: its options\n"
          "  --version  print the version and exit\n"

@@ -127,6 +127,13 @@ TEST(CatalogueCommand, WritesThePicture) {
   EXPECT_TRUE(holds(has(svg, "<title>C-11: Equal, parallel") && has(svg, "</svg>")));
   const Said both = say({"C-11", "--a", "1", "--b", "1", "--c", "1", "--svg", path});
   EXPECT_TRUE(holds(both.code == 0 && has(both.out, "F12 = 0.19982489569838"))) << both.out;
+  // What is refused leaves nothing behind.
+  const std::string other = (folder.path() / "b.svg").string();
+  EXPECT_TRUE(holds(say({"C-11", "--a", "1", "--svg", other}).code == 2));
+  EXPECT_TRUE(holds(say({"C-11", "--a", "1", "--b", "1", "--c", "-1", "--svg", other}).code == 3));
+  EXPECT_TRUE(holds(say({"C-11", "--svg", (folder.path() / "b.png").string()}).code == 2));
+  EXPECT_EQ(folder.contents(), "a.svg");
+  EXPECT_TRUE(holds(!has(say({"C-11\x1b[2J"}).err, "\x1b")));
 }
 
 }  // namespace

@@ -209,6 +209,28 @@ TEST(SolveCommand, RefusesEveryObjectThatItCannotDivide) {
   EXPECT_TRUE(holds(says(both, "\n2 errors\n"))) << both.err;
 }
 
+// CLAIM      Surfaces that overlap are refused with 3, the place and both names: their light would leave one place twice.
+// ORACLE     exact: places counted by hand.
+// TOLERANCE  none.
+TEST(SolveCommand, RefusesSurfacesThatOverlap) {
+  proves({}, Oracle::exact, "places counted by hand");
+  const TemporaryFolder folder;
+  const auto scene =
+      folder.add("twice.json", furnace_with(R"({"type": "polygon", "name": "again", "material": "glowing",
+     "vertices": [[0, 0, 0], [2, 0, 0], [2, 3, 0], [0, 3, 0]]},
+    {"type": "polygon", "name": "part", "material": "glowing",
+     "vertices": [[1, 1, 1.5], [1, 4, 1.5], [3, 4, 1.5], [3, 1, 1.5]]})"));
+  const Ended ended = solve(scene, {});
+  EXPECT_TRUE(holds(ended.code == 3)) << ended.code;
+  EXPECT_EQ(folder.contents(), "twice.json");
+  EXPECT_TRUE(
+      holds(says(ended, scene.string() + ":22:5: /objects/2: object 'floor' is there twice: it covers the same " +
+                            "area as object 'again'")))
+      << ended.err;
+  EXPECT_TRUE(holds(says(ended, ": /objects/3: object 'ceiling' overlaps object 'part'"))) << ended.err;
+  EXPECT_TRUE(holds(says(ended, "\n2 errors\n"))) << ended.err;
+}
+
 // CLAIM      A mesh whose matrix cannot be held is refused with 5 before it is begun: elements, bytes, and what to do.
 // ORACLE     closed form: 40 n² bytes.
 // TOLERANCE  none: the printed digits.

@@ -46,7 +46,7 @@ const std::vector<Planted>& planted_errors() {
        "camera: gaze (0, 0, -1) and up (0, 0, 1) are parallel; choose another up"},
       {R"("look_at": [0, 0, 50])", R"("look_at": [0, -400, 150])", 11, "/camera/look_at",
        "found the point of \"eye\", expected another point"},
-      {R"("look_at": [0, 0, 50],)", R"()", 0, "/camera", R"(found neither "look_at" and "gaze", expected one of them)"},
+      {R"("look_at": [0, 0, 50],)", R"()", 0, "/camera", R"(found neither "look_at" nor "gaze", expected one of them)"},
       {R"("up": [0, 0, 1])", R"("up": [0, 0, 0])", 6, "/camera/up", "found [0, 0, 0], expected a direction"},
       {R"(_deg": 45)", R"(_deg": 180)", 7, "/camera/horizontal_fov_deg", "found 180, expected a number in (0, 180)"},
       {R"([320, 240])", R"([320, 0])", 6, "/camera/resolution/1", "found 0, expected an integer in [1, 65536]"},
@@ -85,8 +85,12 @@ const std::vector<Planted>& planted_errors() {
        "found a face whose corners lie on one line, expected a face with an area"},
       {R"({"scale": [20, 20, 40]})", R"({"scale": [20, 0, 40]})", 15, "/objects/7/transform/0/scale/1",
        "found 0, expected a number in [1e-09, 1e+09]"},
-      {R"({"scale": [20, 20, 40]})", R"({"stretch": 2})", 0, "/objects/7/transform/0",
-       R"(found an object of 1 key, expected one key "translate", "rotate" or "scale")"},
+      {R"({"scale": [20, 20, 40]})", R"({"stretch": 2})", 1, "/objects/7/transform/0/stretch",
+       R"(found an unknown key, expected one of "translate", "rotate" or "scale")"},
+      {R"({"scale": [20, 20, 40]})", R"({"scal": 2})", 1, "/objects/7/transform/0/scal",
+       R"(found an unknown key, expected a known one; did you mean 'scale'?)"},
+      {R"({"scale": [20, 20, 40]})", R"({})", 0, "/objects/7/transform/0",
+       R"(found an object of 0 keys, expected one key "translate", "rotate" or "scale")"},
   };
   return all;
 }

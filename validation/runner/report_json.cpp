@@ -99,7 +99,7 @@ std::string json_report(const Summary& summary, const Register& all, const Build
   json["duration_seconds"] = number(build.seconds);
   json["full_run"] = summary.full;
   json["stopped"] = summary.not_run > 0;
-  json["ok"] = summary.ok();
+  json["ok"] = summary.ok() && summary.not_run == 0;
   json["totals"] = totals(summary);
   json["problems"] = summary.problems;
   json["claims"] = Json::array();

@@ -71,7 +71,12 @@ Placement read_step(const SceneNode& node) {
   }
   if (const auto turn = node.member("rotate")) return node.is(keys_of("rotate")) ? read_rotation(*turn) : placement;
   if (const auto factor = node.member("scale")) return node.is(keys_of("scale")) ? read_scale(*factor) : placement;
-  node.expected("one key \"translate\", \"rotate\" or \"scale\"");
+  static const KeySet kSteps{"step", {}, {"translate", "rotate", "scale"}};
+  if (node.json().members.empty()) {
+    node.expected("one key \"translate\", \"rotate\" or \"scale\"");
+  } else {
+    (void)node.is(kSteps);  // reports each key, with the nearest of the three
+  }
   return placement;
 }
 

@@ -106,8 +106,8 @@ class Assembly {
     if (const auto resolution = node.member("resolution")) read_resolution(*resolution);
     const auto look_at = node.member("look_at"), gaze = node.member("gaze");
     if (look_at.has_value() == gaze.has_value()) {
-      node.complain("found " + std::string(gaze ? "both" : "neither") +
-                    " \"look_at\" and \"gaze\", expected one of them");
+      node.complain(std::string("found ") + (gaze ? "both \"look_at\" and" : "neither \"look_at\" nor") +
+                    " \"gaze\", expected one of them");
       return;
     }
     if (gaze) camera.gaze = gaze->direction().value_or(camera.gaze);

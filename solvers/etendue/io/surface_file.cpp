@@ -7,7 +7,6 @@
 
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/obj_reader.hpp"
-#include "etendue/io/read_errors.hpp"
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/io/stl_reader.hpp"
 #include "etendue/io/vs3_reader.hpp"
@@ -25,14 +24,7 @@ Result<SurfaceModel> read_scene_surfaces(const std::filesystem::path& path) {
   if (!model) return Error{model.error().code, printable(path.string()) + ": " + model.error().message};
   SurfaceModel result = std::move(model).value();
   result.hash = file->hash;
-  ReadErrors errors(path.string());
-  std::vector<Polygon> polygons;
-  for (const Face& face : result.mesh.faces) polygons.push_back(face.polygon);
-  for (const Overlapping& pair : overlapping(polygons, kTouching * diagonal(result.mesh))) {
-    errors.add(0, "object '" + result.face_names[pair.second] + "' " + described(pair.how) + " object '" +
-                      result.face_names[pair.first] + "'");
-  }
-  if (errors.count() > 0) return errors.error();
+  if (const auto apart = check_overlaps(file->scene, result.mesh); !apart) return apart.error();
   return result;
 }
 

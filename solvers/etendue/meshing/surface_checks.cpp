@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <numeric>
+#include <set>
 #include <utility>
 
-#include "etendue/meshing/elements.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
@@ -115,6 +116,23 @@ std::vector<Overlapping> overlapping(std::span<const Polygon> polygons, double s
     return std::pair(x.second, x.first) < std::pair(y.second, y.first);
   });
   return found;
+}
+
+Result<Done> check_overlaps(const Scene& scene, const ElementMesh& mesh) {
+  std::vector<Polygon> polygons;
+  for (const Face& face : mesh.faces) polygons.push_back(face.polygon);
+  std::string lines;
+  std::set<std::pair<std::size_t, std::size_t>> reported;  // pairs of objects, not of their faces
+  for (const Overlapping& pair : overlapping(polygons, kTouching * diagonal(mesh))) {
+    const std::size_t first = mesh.faces[pair.first].object, second = mesh.faces[pair.second].object;
+    if (!reported.emplace(first, second).second) continue;
+    const Object& object = scene.objects[second];
+    lines += (object.place.empty() ? "" : object.place + ": ") + "object '" + printable(object.name) + "' " +
+             described(pair.how) + " object '" + printable(scene.objects[first].name) + "'\n";
+  }
+  if (reported.empty()) return Done{};
+  return Error{ErrorCode::invalid_input,
+               lines + std::to_string(reported.size()) + (reported.size() == 1 ? " error" : " errors")};
 }
 
 std::string described(Overlap how) {

@@ -8,6 +8,7 @@
 
 #include "etendue/core/result.hpp"
 #include "etendue/geometry/polygon.hpp"
+#include "etendue/meshing/elements.hpp"
 
 namespace etendue {
 
@@ -30,6 +31,12 @@ struct Overlapping {
 
 /// "lies on", "lies inside" … of the second polygon towards the first.
 [[nodiscard]] std::string described(Overlap how);
+
+/// Refuses objects of which faces overlap: light would leave the same place twice, and rows sum to more than one.
+///
+/// Errors    invalid_input, one line for each pair of objects: the second one's place in the file, both names, and how
+///           they lie; and their count
+[[nodiscard]] Result<Done> check_overlaps(const Scene& scene, const ElementMesh& mesh);
 
 /// Beyond this share of its extent a polygon is refused as not flat; below, but above kPlanarity, its vertices are moved
 /// onto its plane and the reader says so. It is what View3D takes for an error.
