@@ -13,6 +13,7 @@
 #include "etendue/assembly/closure_repair.hpp"
 #include "etendue/assembly/drop.hpp"
 #include "etendue/assembly/exact_exchange.hpp"
+#include "etendue/assembly/hemicube_exchange.hpp"
 #include "etendue/assembly/ray_exchange.hpp"
 #include "etendue/core/version.hpp"
 #include "etendue/io/atomic_file.hpp"
@@ -34,8 +35,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kNotGiven = -1;
 constexpr Tolerance kDefault{1e-6, 1e-9};
-/// Of rays nothing is asked unless the user does: every bound reaches it.
+/// Of the rough methods nothing is asked unless the user does: every bound reaches it.
 constexpr Tolerance kNothing{1, 1};
+constexpr int kMostPoints = 16;
 constexpr int kMostRays = 1000000000;
 
 struct Request {
@@ -49,19 +51,31 @@ struct Request {
   double drop = 0;
   int rays = RaySettings{}.rays;
   int seed = 1;
+  HemicubeSettings pixels;
+
+  bool by_pixels() const { return method == "hemicube" || method == "tetrahedron"; }
+  bool rough() const { return method == "rays" || by_pixels(); }
 };
 
 void declare(Options& options, Request& request) {
   options.argument("SCENE", "surfaces: .json, .vs3 (View3D), .obj or .stl", request.scene);
-  options.choice("--method", {"exact", "certified", "rays"},
-                 "exact integration (default), proved enclosures, or counting rays: rough", request.method);
+  options.choice(
+      "--method", {"exact", "certified", "rays", "hemicube", "tetrahedron"},
+      "exact integration (default), proved enclosures; rough: counting rays, or the pixels of a hemicube or of a "
+      "cubic tetrahedron",
+      request.method);
   options.real("--relative", "X", "error asked of a factor, relative to it (default: 1e-6)", request.tolerance.relative,
                0, 1);
   options.real("--absolute", "X", "or absolute, whichever is looser (default: 1e-9)", request.tolerance.absolute, 0, 1);
   options.two_texts("--pair", "I J", "print this pair only: surfaces by number, from 1, or by name", request.pair);
   options.integer("--rays", "N", "rays from every surface, for --method rays (default: 10000)", request.rays, 1,
                   kMostRays);
-  options.integer("--seed", "N", "other rays, for --method rays (default: 1)", request.seed, 0, kMostRays);
+  options.integer("--seed", "N", "other rays or rotations (default: 1)", request.seed, 0, kMostRays);
+  options.integer("--resolution", "N", "pixels along an edge, even, for hemicube and tetrahedron (default: 200)",
+                  request.pixels.resolution, kLeastResolution, kMostResolution);
+  options.integer("--points", "N", "along each side of a surface that pixels are put around (default: 1)",
+                  request.pixels.points, 1, kMostPoints);
+  options.flag("--rotate", "turn each hemicube or tetrahedron about its normal at random", request.pixels.rotate);
   options.flag("--repair-closure", "change factors by least squares until rows sum to one; says what it changed",
                request.repair);
   options.real("--drop", "X", "write factors below X in both directions as zero; says what that leaves out",
@@ -78,6 +92,7 @@ void declare(Options& options, Request& request) {
   options.example("etendue form-factors scenes/furnace/scene.json --relative 1e-9 -o furnace.csv");
   options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --pair floor window");
   options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --output l-room.vf");
+  options.example("etendue form-factors scenes/furnace/scene.json --method hemicube --resolution 100 --rotate");
   options.example("etendue form-factors scenes/furnace/scene.json --method rays --rays 1000 --json");
 }
 
@@ -112,6 +127,10 @@ class Run {
         return options_.usage_error(err_, quoted_path(output) + " would replace the scene; name another file");
       }
     }
+    if (request_.pixels.resolution % 2 != 0) {
+      return options_.usage_error(
+          err_, "--resolution: found " + std::to_string(request_.pixels.resolution) + ", expected an even number");
+    }
     const bool one_pair = !request_.pair.first.empty();
     if (one_pair && !output.empty()) return options_.usage_error(err_, "--pair prints one pair: leave --output out");
     if (request_.resume && output.empty()) return options_.usage_error(err_, "--resume needs the --output of the run");
@@ -124,7 +143,8 @@ class Run {
     for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << note << '\n';
     method_ = made_method();
     if (!method_) {
-      err_ << "etendue form-factors: stopped while rays were sent; nothing is kept\n";
+      err_ << "etendue form-factors: stopped while surfaces " << (request_.by_pixels() ? "looked around" : "sent rays")
+           << "; nothing is kept\n";
       return static_cast<int>(ErrorCode::stopped);
     }
     return one_pair ? pair() : matrix();
@@ -145,6 +165,14 @@ class Run {
     if (request_.method == "exact")
       return std::make_unique<ExactExchange>(model_.mesh, AssemblyTolerance{asked, asked});
     if (request_.method == "certified") return std::make_unique<CertifiedExchange>(model_.mesh, asked);
+    if (request_.by_pixels()) {
+      HemicubeSettings settings = request_.pixels;
+      settings.body = request_.method == "hemicube" ? PixelBody::hemicube : PixelBody::cubic_tetrahedron;
+      settings.seed = static_cast<std::uint64_t>(request_.seed);
+      Progress looking(err_, request_.method.c_str(), request_.common);
+      auto pixels = std::make_unique<HemicubeExchange>(model_.mesh, settings, execution(request_.common, looking));
+      return pixels->complete() ? std::move(pixels) : nullptr;
+    }
     Progress progress(err_, "rays", request_.common);
     auto rays = std::make_unique<RayExchange>(model_.mesh,
                                               RaySettings{request_.rays, static_cast<std::uint64_t>(request_.seed)},
@@ -153,11 +181,14 @@ class Run {
   }
 
   std::string settings() const {
-    return std::string("etendue ") + version() + ", method " + request_.method + ", relative " +
-           number(request_.tolerance.relative) + ", absolute " + number(request_.tolerance.absolute) +
-           (request_.method == "rays"
-                ? ", rays " + std::to_string(request_.rays) + ", seed " + std::to_string(request_.seed)
-                : "");
+    std::string text = std::string("etendue ") + version() + ", method " + request_.method + ", relative " +
+                       number(request_.tolerance.relative) + ", absolute " + number(request_.tolerance.absolute);
+    if (request_.method == "rays") text += ", rays " + std::to_string(request_.rays);
+    if (request_.by_pixels()) {
+      text += ", resolution " + std::to_string(request_.pixels.resolution) + ", points " +
+              std::to_string(request_.pixels.points) + (request_.pixels.rotate ? ", rotated" : "");
+    }
+    return request_.rough() ? text + ", seed " + std::to_string(request_.seed) : text;
   }
 
   // One pair of rows.
@@ -347,7 +378,8 @@ int form_factors(const std::vector<std::string>& arguments, std::ostream& out, s
   Options options("form-factors", "Find the form factors (view factors) between the surfaces of a scene, with bounds.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  const Tolerance otherwise = request.method == "rays" ? kNothing : kDefault;
+  const bool asked = request.tolerance.relative != kNotGiven || request.tolerance.absolute != kNotGiven;
+  const Tolerance otherwise = request.rough() && !asked ? kNothing : kDefault;
   if (request.tolerance.relative == kNotGiven) request.tolerance.relative = otherwise.relative;
   if (request.tolerance.absolute == kNotGiven) request.tolerance.absolute = otherwise.absolute;
   return Run(options, request, out, err).run();

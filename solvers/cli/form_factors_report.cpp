@@ -63,6 +63,12 @@ std::string listed(const std::vector<std::string>& names) {
 /// What the bounds of a method are worth.
 std::string bound_kind(const std::string& method, const TileReport& what) {
   if (method == "rays") return "holds with probability 1 − 1e-6 each";
+  if (method == "hemicube" || method == "tetrahedron") {
+    return what.obstructed == 0
+               ? "measured against exact integration"
+               : "measured where nothing is in between; elsewhere only that F is at most the unobstructed "
+                 "factor";
+  }
   if (method == "certified") return "enclosed, rounding and all";
   return what.obstructed == 0 ? "proved" : "where partly obstructed an estimate, elsewhere proved";
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "etendue/core/contract.hpp"
-#include "etendue/form_factor/point_polygon.hpp"
+#include "etendue/form_factor/polygon_polygon.hpp"
 
 namespace etendue {
 
@@ -15,9 +15,8 @@ namespace {
 /// Elements of a face that cover more than its area by this share lie over one another.
 constexpr double kOverlaid = 0x1p-20;
 
-/// Doubling the points along a side shows three quarters of an error that falls with their square, and less of one that falls
-/// more slowly, as it does where elements touch: half.
-constexpr double kUnseenByDoubling = 2;
+/// What is asked of the factors that judge: far below what pixels reach.
+constexpr Tolerance kJudge{1e-6, 1e-9};
 
 std::uint64_t mixed(std::uint64_t z) {  // SplitMix64's finalizer
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -25,50 +24,29 @@ std::uint64_t mixed(std::uint64_t z) {  // SplitMix64's finalizer
   return z ^ (z >> 31);
 }
 
-/// Sums for every element, and which of them were touched.
-class Tally {
- public:
-  explicit Tally(std::size_t elements) : factor_(elements, 0.0), rim_(elements, 0.0) {}
-  void see(std::size_t element, double delta) { factor_[element] += delta; }
-  void border(std::size_t element, double delta) { rim_[element] += delta; }
-  std::vector<SeenShare> gathered() const {
-    std::vector<SeenShare> shares;
-    for (std::size_t k = 0; k < factor_.size(); ++k) {
-      if (factor_[k] > 0 || rim_[k] > 0) shares.push_back({k, factor_[k], rim_[k]});
-    }
-    return shares;
-  }
-
- private:
-  std::vector<double> factor_, rim_;
-};
-
 bool faces(const Polygon& polygon, const Vec3& point) {
   return polygon.normal().dot(point - polygon.centroid()) > 0;
 }
 
-/// Counts the pixels of a buffer by the elements they show, and those that lie on outlines.
+/// Adds the pixels of a buffer to the elements that they show.
 template <class Shown>
 void count_pixels(const ItemBuffer& buffer, std::size_t view, const PixelProjection& projection, const Shown& shown,
-                  Tally& tally) {
+                  std::vector<double>& factors) {
   const PixelView& window = buffer.view();
-  const auto differ = [&](int column, int row, int other_column, int other_row, double delta) {
-    if (!window.has(other_column, other_row)) return;  // goes on with the next face of the body
-    const std::int32_t here = buffer.item(column, row), there = buffer.item(other_column, other_row);
-    if (here == there) return;
-    if (shown(here)) tally.border(static_cast<std::size_t>(here), 0.5 * delta);
-    if (shown(there)) tally.border(static_cast<std::size_t>(there), 0.5 * delta);
-  };
   for (int row = 0; row < window.rows; ++row) {
     for (int column = 0; column < window.columns; ++column) {
-      if (!window.has(column, row)) continue;
-      const double delta = projection.delta(view, column, row);
       const std::int32_t item = buffer.item(column, row);
-      if (shown(item)) tally.see(static_cast<std::size_t>(item), delta);
-      differ(column, row, column + 1, row, delta);
-      differ(column, row, column, row + 1, delta);
+      if (shown(item)) factors[static_cast<std::size_t>(item)] += projection.delta(view, column, row);
     }
   }
+}
+
+std::vector<SeenShare> gathered(const std::vector<double>& factors) {
+  std::vector<SeenShare> shares;
+  for (std::size_t k = 0; k < factors.size(); ++k) {
+    if (factors[k] > 0) shares.push_back({k, factors[k]});
+  }
+  return shares;
 }
 
 /// The corners of a quadrilateral, weighed by (s, t).
@@ -155,7 +133,7 @@ std::vector<SeenShare> ItemScene::seen_from(const Vec3& point, std::size_t own_f
     if (items_[k].face != own_face && reaches) above.push_back(k);
     if (k < fronts.size()) fronts[k] = faces(*items_[k].polygon, point);
   }
-  Tally tally(mesh_.elements.size());
+  std::vector<double> factors(mesh_.elements.size(), 0.0);
   const auto shown = [&](std::int32_t item) {
     return item != kNoItem && static_cast<std::size_t>(item) < fronts.size() && fronts[static_cast<std::size_t>(item)];
   };
@@ -165,104 +143,71 @@ std::vector<SeenShare> ItemScene::seen_from(const Vec3& point, std::size_t own_f
     for (const std::size_t k : above) {
       buffer.draw(items_[k].polygon->vertices(), items_[k].polygon->normal(), static_cast<std::int32_t>(k));
     }
-    count_pixels(buffer, view, projection, shown, tally);
+    count_pixels(buffer, view, projection, shown, factors);
     for (const std::size_t k : above) {
       if (k < fronts.size() || !faces(*items_[k].polygon, point)) continue;
       for (const std::size_t element : overlaid_[items_[k].face]) {
         const Polygon& polygon = mesh_.elements[element].polygon;
-        double seen = 0, widest = 0;
-        std::size_t pixels = 0;
         buffer.visit_pixels(polygon.vertices(), polygon.normal(), static_cast<std::int32_t>(k),
-                            [&](int column, int row) {
-                              const double delta = projection.delta(view, column, row);
-                              seen += delta;
-                              widest = std::max(widest, delta);
-                              ++pixels;
-                            });
-        // Its outline is not in the buffer: that of a square of as many pixels, twice over.
-        tally.see(element, seen);
-        tally.border(element, 4 * std::sqrt(static_cast<double>(pixels)) * widest);
+                            [&](int column, int row) { factors[element] += projection.delta(view, column, row); });
       }
     }
   }
-  return tally.gathered();
+  return gathered(factors);
 }
 
 HemicubeExchange::HemicubeExchange(const ElementMesh& mesh, const HemicubeSettings& settings,
                                    const Execution& execution)
-    : mesh_(mesh), settings_(settings), areas_(areas_of(mesh)), seen_(mesh.elements.size()) {
-  require(settings.points >= 1, "HemicubeExchange: at least one point a side");
-  slack_ = kTouching * diagonal(mesh);
+    : mesh_(mesh), settings_(settings), areas_(areas_of(mesh)), seen_(mesh.elements.size()), sight_(mesh) {
   const ItemScene scene(mesh);
   const PixelProjection projection(settings.body, settings.resolution);
-  largest_delta_ = projection.largest_delta();
   complete_ = parallel_for(mesh.elements.size(), execution, [&](std::size_t i) {
-    const std::vector<StandPoint> points = stand_points(mesh.elements[i].polygon, settings.points);
-    std::vector<SeenShare> all(mesh.elements.size());
+    const std::vector<StandPoint> points = stand_points(mesh.elements[i].polygon, settings_.points);
+    std::vector<double> factors(mesh.elements.size(), 0.0);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const double turn = settings.rotate ? turn_of(settings.seed, i, k) : 0;
-      for (const SeenShare& share : scene.seen_from(points[k].point, mesh.elements[i].face, projection, turn)) {
-        all[share.element].factor += points[k].share * share.factor;
-        all[share.element].rim += points[k].share * share.rim;
+      const double turn = settings_.rotate ? turn_of(settings_.seed, i, k) : 0;
+      for (const SeenShare& seen : scene.seen_from(points[k].point, mesh.elements[i].face, projection, turn)) {
+        factors[seen.element] += points[k].share * seen.factor;
       }
     }
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      if (all[j].factor > 0 || all[j].rim > 0) seen_[i].push_back({j, all[j].factor, all[j].rim});
-    }
+    seen_[i] = gathered(factors);
   });
 }
 
-/// A_i F_ij as i sees it, and what the pixels may have lost of it.
-Bounded HemicubeExchange::side(std::size_t from, std::size_t to) const {
+/// A_i F_ij as i sees it.
+double HemicubeExchange::seen_exchange(std::size_t from, std::size_t to) const {
   const auto found =
       std::lower_bound(seen_[from].begin(), seen_[from].end(), to,
-                       [](const SeenShare& share, std::size_t element) { return share.element < element; });
-  const bool is_seen = found != seen_[from].end() && found->element == to;
-  return {is_seen ? areas_[from] * found->factor : 0.0, areas_[from] * ((is_seen ? found->rim : 0.0) + largest_delta_)};
+                       [](const SeenShare& seen, std::size_t element) { return seen.element < element; });
+  return found != seen_[from].end() && found->element == to ? areas_[from] * found->factor : 0;
 }
 
-/// How much the unobstructed factor changes when twice as many points stand along each side: exact sums, no pixels.
-double HemicubeExchange::proximity(std::size_t from, std::size_t to) const {
-  const Polygon& polygon = mesh_.elements[from].polygon;
-  const auto mean = [&](int per_side) {
-    double sum = 0;
-    for (const StandPoint& at : stand_points(polygon, per_side)) {
-      sum += at.share * point_to_polygon(at.point, polygon.normal(), mesh_.elements[to].polygon).value;
-    }
-    return sum;
-  };
-  return areas_[from] * kUnseenByDoubling * std::abs(mean(2 * settings_.points) - mean(settings_.points));
-}
-
-bool HemicubeExchange::averted(std::size_t i, std::size_t j) const {
-  const auto behind = [&](const Polygon& from, const Polygon& to) {
-    return std::all_of(to.vertices().begin(), to.vertices().end(),
-                       [&](const Vec3& corner) { return from.normal().dot(corner - from.centroid()) <= slack_; });
-  };
-  const Polygon &first = mesh_.elements[i].polygon, &second = mesh_.elements[j].polygon;
-  return mesh_.elements[i].face == mesh_.elements[j].face || behind(first, second) || behind(second, first);
+std::vector<std::size_t> HemicubeExchange::blockers(const SurfacePair& pair) const {
+  return sight_.between(pair.i, pair.j).blockers;
 }
 
 void HemicubeExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges,
                             TileReport& report) const {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
-    if (averted(i, j)) {
-      exchanges[k] = {0, 0};
-      ++report.averted;
+    const Sight sight = sight_.between(i, j).sight;
+    exchanges[k] = {0, 0};
+    if (sight == Sight::averted || sight == Sight::blocked) {
+      ++(sight == Sight::averted ? report.averted : report.blocked);
       continue;
     }
-    const Bounded forth = side(i, j), back = side(j, i);
+    const double forth = seen_exchange(i, j), back = seen_exchange(j, i);
     const double share = areas_[j] / (areas_[i] + areas_[j]);
-    const double difference = std::abs(forth.value - back.value);
-    // Behind blockers the unobstructed change says too much, and is not asked.
-    const bool seen = forth.value > 0 || back.value > 0;
-    const double near_by = seen ? share * proximity(i, j) + (1 - share) * proximity(j, i) : 0;
-    exchanges[k] = {share * forth.value + (1 - share) * back.value,
-                    difference + share * forth.bound + (1 - share) * back.bound + near_by};
-    ++report.sampled;
-    ++report.checked;
-    report.defect = std::max(report.defect, difference / std::max(areas_[i], areas_[j]));
+    const double value = share * forth + (1 - share) * back;
+    const Bounded factor = form_factor(mesh_.elements[i].polygon, mesh_.elements[j].polygon, kJudge);
+    const Bounded free{areas_[i] * factor.value, areas_[i] * factor.bound};
+    if (sight == Sight::clear) {
+      exchanges[k] = {value, std::abs(value - free.value) + free.bound};
+      ++report.clear;
+    } else {
+      exchanges[k] = {value, std::max(value, free.value + free.bound - value)};
+      ++report.obstructed;
+    }
   }
 }
 

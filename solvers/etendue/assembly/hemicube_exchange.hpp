@@ -6,6 +6,7 @@
 
 #include "etendue/assembly/exchange_method.hpp"
 #include "etendue/assembly/pixel_projection.hpp"
+#include "etendue/assembly/sight.hpp"
 
 namespace etendue {
 
@@ -32,7 +33,6 @@ struct StandPoint {
 struct SeenShare {
   std::size_t element = 0;
   double factor = 0;  ///< F_iq summed over the pixels that show it
-  double rim = 0;     ///< half of the pixels on its outline: what their sampling may have gained or lost
 };
 
 /// The elements of a scene, to be looked at from points. Faces hide from both sides, elements are seen from the front.
@@ -61,9 +61,9 @@ class ItemScene {
 ///                                                                                  @eq IU.6-10, IU.6.4, E21
 /// Symbols   p_k points of element i, a_k their shares of its area; ΔF_q exact delta form factors. Of the two sides the
 ///           smaller element counts more: its inner integral varies less
-/// Accuracy  none proved: the method has no bound. Reported is an estimate of three parts: the difference of the two
-///           sides; half of the pixels on the outlines, and one pixel more; and twice the change of the unobstructed
-///           point factors, in closed form, when the points are doubled along each side. Measured: docs/hemicube.md
+/// Accuracy  the method has no bound of its own, so its factors are judged by others: of a clear pair the bound is the
+///           distance to form_factor() and that one's bound; of a partly obstructed one only that F lies between zero and
+///           the unobstructed factor. Both hold; neither changes a value. How large errors are: docs/hemicube.md
 /// Order     the same bits with any number of threads
 /// Source    Cohen and Greenberg 1985; Beran-Koehn and Pavicic 1991; Nishita and Nakamae 1985 for the buffer
 class HemicubeExchange : public ExchangeMethod {
@@ -71,22 +71,20 @@ class HemicubeExchange : public ExchangeMethod {
   /// Looks from all elements. `mesh` must outlive it. When stopped it holds nothing: see complete().
   HemicubeExchange(const ElementMesh& mesh, const HemicubeSettings& settings, const Execution& execution);
   void find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const override;
+  std::vector<std::size_t> blockers(const SurfacePair& pair) const override;
 
   bool complete() const { return complete_; }
   /// What element i saw; by number of element.
   const std::vector<SeenShare>& seen_by(std::size_t element) const { return seen_[element]; }
 
  private:
-  Bounded side(std::size_t from, std::size_t to) const;
-  double proximity(std::size_t from, std::size_t to) const;
-  bool averted(std::size_t i, std::size_t j) const;
+  double seen_exchange(std::size_t from, std::size_t to) const;
 
   const ElementMesh& mesh_;
   HemicubeSettings settings_;
   std::vector<double> areas_;
   std::vector<std::vector<SeenShare>> seen_;
-  double largest_delta_ = 0;
-  double slack_ = 0;
+  SightMap sight_;
   bool complete_ = false;
 };
 
