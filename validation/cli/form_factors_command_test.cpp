@@ -150,6 +150,33 @@ TEST(FormFactorsCommand, SaysWhatItDidNotReach) {
   EXPECT_EQ(folder.contents(), "box.vs3 m.npy");
 }
 
+// CLAIM      IU.6.4: hemicube and cubic tetrahedron are methods of the command: asked for nothing they end with 0, asked for
+//            more than pixels reach with 4; an odd resolution is refused; the same seed gives the same bytes, another others.
+// ORACLE     exact: exit codes, words, and outputs compared.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, LooksThroughPixels) {
+  proves({"IU.6.4"}, Oracle::exact, "exit codes, words, bytes");
+  for (const std::string method : {"hemicube", "tetrahedron"}) {
+    const std::vector<std::string> base{furnace(), "--method", method, "--resolution", "50", "--rotate"};
+    const auto with = [&](std::vector<std::string> more) {
+      more.insert(more.begin(), base.begin(), base.end());
+      return form_factors(more);
+    };
+    const Ended plain = with({});
+    EXPECT_EQ(plain.code, 0) << plain.err;
+    EXPECT_TRUE(holds(has(plain.out, "measured against exact integration"))) << plain.out;
+    const Ended asked = with({"--relative", "1e-6"});
+    EXPECT_EQ(asked.code, 4);
+    EXPECT_TRUE(holds(has(asked.err, "tolerance not reached")));
+    const std::vector<std::string> pair{"--pair", "1", "20", "--json"};
+    const std::vector<std::string> other{"--pair", "1", "20", "--json", "--seed", "2"};
+    EXPECT_TRUE(holds(with(pair).out == with(pair).out));
+    EXPECT_TRUE(holds(with(pair).out != with(other).out));
+  }
+  EXPECT_EQ(form_factors({furnace(), "--method", "hemicube", "--resolution", "51"}).code, 2);
+  EXPECT_EQ(form_factors({furnace(), "--method", "hemicube", "--resolution", "48"}).code, 2);
+}
+
 // CLAIM      An interrupted run ends with 6 and keeps its checkpoint; --resume finishes to the same bytes; without --resume
 //            the checkpoint is not overwritten, and with another geometry it is refused by the surface's name.
 // ORACLE     metamorphic: the bytes of an undisturbed run.
