@@ -62,8 +62,10 @@ Point on(const Surface& s, double u, double v) {
 
 Corners special(Numbers& random, PairFamily family, const ObstructedPair& pair) {
   const Surface s = surface(random.unit() < 0.5 ? pair.from : pair.to);
-  const Point p = on(s, random.in(0.1, 0.9), random.in(0.1, 0.9)),
-              q = on(s, random.in(-0.2, 1.2), random.in(-0.2, 1.2));
+  // One number a statement, here and below: the order in which arguments are evaluated is the compiler's choice.
+  const double p_v = random.in(0.1, 0.9), p_u = random.in(0.1, 0.9);
+  const double q_v = random.in(-0.2, 1.2), q_u = random.in(-0.2, 1.2);
+  const Point p = on(s, p_u, p_v), q = on(s, q_u, q_v);
   const double height = random.in(0.1, 0.5);
   const Point lean = random.vector(0.2);
   const Point rise = sum({s.up[0] * height, s.up[1] * height, s.up[2] * height}, lean, height);
@@ -71,13 +73,18 @@ Corners special(Numbers& random, PairFamily family, const ObstructedPair& pair) 
     case PairFamily::on_an_edge:
       return parallelogram(p, sum(q, p, -1), rise);
     case PairFamily::on_a_vertex: {
-      const Point start = random.unit() < 0.5 ? p : on(s, random.unit() < 0.5 ? 0 : 1, random.unit() < 0.5 ? 0 : 1);
+      Point start = p;
+      if (random.unit() >= 0.5) {
+        const double v = random.unit() < 0.5 ? 0 : 1, u = random.unit() < 0.5 ? 0 : 1;
+        start = on(s, u, v);
+      }
       return {start, sum(sum(start, rise), random.vector(0.3 * height)), sum(start, rise, 1.5)};
     }
     case PairFamily::hugging: {
       const double gap = std::pow(10.0, random.in(-6, -2));
       const Point base = sum(p, s.up, gap);
-      return parallelogram(base, sum({0, 0, 0}, s.a, random.in(-0.5, 0.5)), sum({0, 0, 0}, s.b, random.in(-0.5, 0.5)));
+      const double along_b = random.in(-0.5, 0.5), along_a = random.in(-0.5, 0.5);
+      return parallelogram(base, sum({0, 0, 0}, s.a, along_a), sum({0, 0, 0}, s.b, along_b));
     }
     case PairFamily::tiny:
       return floating(random, pair, 1e-3);
@@ -132,8 +139,9 @@ ObstructedPair obstructed_pair(PairFamily family, int index) {
   pair.from = parallelogram({0, 0, 0}, {1, 0, 0}, {random.in(-0.3, 0.3), random.in(0.5, 1.5), 0});
   // Above `from`, leaning by less than would let its plane meet it.
   const double lean = random.in(-0.25, 0.25) * distance;
-  pair.to = parallelogram({random.in(-0.5, 0.7), random.in(-0.5, 0.7), distance}, {0, size, random.in(-0.1, 0.1)},
-                          {size, 0, lean * size});
+  const double rise = random.in(-0.1, 0.1);
+  const double x = random.in(-0.5, 0.7), y = random.in(-0.5, 0.7);
+  pair.to = parallelogram({x, y, distance}, {0, size, rise}, {size, 0, lean * size});
   pair.plates.push_back(special(random, family, pair));
   if (family == PairFamily::standing) return pair;
   // One plate in fifteen pairs of twenty, two in four, three in one.

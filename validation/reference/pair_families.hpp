@@ -137,8 +137,9 @@ inline Point above(Random& random, double low, double high) {
 
 inline Pair general(Random& random) {
   const Point at = above(random, 0.2, 3);
-  return {{placed(star(random, 3 + random.below(6)), kOrigin, kFloor)},
-          {placed(star(random, 3 + random.below(6)), at, facing(random_axes(random), at, kOrigin))}};
+  const Loops from{placed(star(random, 3 + random.below(6)), kOrigin, kFloor)};
+  const Axes axes = facing(random_axes(random), at, kOrigin);
+  return {from, {placed(star(random, 3 + random.below(6)), at, axes)}};
 }
 
 /// From y = 0 along (0, y, z): the edge from (0, 0, 0) to (1, 0, 0) belongs to both.
@@ -214,8 +215,9 @@ inline Pair size_ratio(Random& random, std::size_t index) {
   double scale = 1;
   for (std::size_t k = 0; k < index % 21; ++k) scale /= 2;  // to 2^-20 ≈ 1e-6
   const Point at = above(random, 0.3, 2);
-  Pair pair{{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)},
-            {placed(star(random, 3 + random.below(4)), at, facing(random_axes(random), at, kOrigin), scale)}};
+  const Loops from{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)};
+  const Axes axes = facing(random_axes(random), at, kOrigin);
+  Pair pair{from, {placed(star(random, 3 + random.below(4)), at, axes, scale)}};
   if (index / 21 % 2 == 0) std::swap(pair.from, pair.to);
   return pair;
 }
@@ -225,8 +227,9 @@ inline Pair distance(Random& random, std::size_t index) {
   for (std::size_t k = 0; k < index % 21; ++k) far *= 2;
   const Point way = above(random, 0.3, 1);
   const Point at{far * way[0], far * way[1], far * way[2]};
-  return {{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)},
-          {placed(star(random, 3 + random.below(4)), at, facing(random_axes(random), at, kOrigin))}};
+  const Loops from{placed(star(random, 3 + random.below(4)), kOrigin, kFloor)};
+  const Axes axes = facing(random_axes(random), at, kOrigin);
+  return {from, {placed(star(random, 3 + random.below(4)), at, axes)}};
 }
 
 inline Pair sliver(Random& random, std::size_t index) {
@@ -295,9 +298,13 @@ inline Pair make(std::size_t family, std::size_t index) {
   const bool overlap = family == 3 && index % 4 == 2;
   pair.exact_frame = random.below(2) == 0 || overlap;
   const auto whole = [&] { return static_cast<double>(random.below(5)) - 2; };
-  const std::array<Point, 3> axes = pair.exact_frame
-                                        ? rotation(1 + static_cast<double>(random.below(3)), whole(), whole(), whole())
-                                        : random_rotation(random);
+  std::array<Point, 3> axes;
+  if (pair.exact_frame) {  // in this order: that of arguments is the compiler's choice
+    const double z = whole(), y = whole(), x = whole();
+    axes = rotation(1 + static_cast<double>(random.below(3)), x, y, z);
+  } else {
+    axes = random_rotation(random);
+  }
   for (Loops* loops : {&pair.from, &pair.to}) {
     for (auto& loop : *loops) {
       for (Point& p : loop)
