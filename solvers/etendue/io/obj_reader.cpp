@@ -81,7 +81,7 @@ class Parser {
     }
     for (std::size_t axis = 0; axis < 3 && words.size() >= 4; ++axis) {
       const auto value = parse_number(words[axis + 1]);
-      if (value && std::abs(*value) <= kLargestCoordinate) {
+      if (value && std::abs(*value) <= kFarthestCoordinate) {
         point[static_cast<Eigen::Index>(axis)] = *value;
       } else {
         complain("vertex " + std::to_string(vertices_.size() + 1) + ": found '" + shown(words[axis + 1]) +

@@ -31,7 +31,7 @@ class ReadErrors {
 };
 
 /// No coordinate is larger: fourth powers of lengths stay finite.
-inline constexpr double kLargestCoordinate = 1e50;
+inline constexpr double kFarthestCoordinate = 1e50;
 
 /// The finite number that all of `word` spells; a leading '+' is allowed.
 [[nodiscard]] std::optional<double> parse_number(std::string_view word);

@@ -56,7 +56,7 @@ class Reader {
   void triangle(const Vec3 (&corners)[3], const Vec3& normal, std::size_t line) {
     const std::string name = "triangle " + std::to_string(++triangles_);
     for (const Vec3& corner : corners) {
-      if (corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kLargestCoordinate) continue;
+      if (corner.allFinite() && corner.cwiseAbs().maxCoeff() <= kFarthestCoordinate) continue;
       errors_.add(line, name + ": found a coordinate that is no finite number, expected none larger than 1e50");
       return;
     }
@@ -150,7 +150,7 @@ class Reader {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       const auto value = parse_number(words[first + k]);
-      if (value && std::abs(*value) <= kLargestCoordinate) {
+      if (value && std::abs(*value) <= kFarthestCoordinate) {
         result[static_cast<Eigen::Index>(k)] = *value;
       } else {
         complain("triangle " + std::to_string(triangles_ + 1) + ", " + what + ": found '" + shown(words[first + k]) +

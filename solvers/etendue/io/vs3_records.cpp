@@ -161,7 +161,7 @@ class Parser {
     const auto value = parse_number(word);
     if (value && *value >= low && *value <= high) return value;
     complain(what + ": found '" + shown(word) + "', expected a finite number" +
-             (high < kLargestCoordinate ? " in [" + std::to_string(low) + ", " + std::to_string(high) + "]"
+             (high < kFarthestCoordinate ? " in [" + std::to_string(low) + ", " + std::to_string(high) + "]"
                                         : " no larger than 1e50"));
     return std::nullopt;
   }
@@ -177,7 +177,7 @@ class Parser {
                " coordinates, expected x y z");
     } else {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto value = real(words_[axis + 2], what, -kLargestCoordinate, kLargestCoordinate);
+        const auto value = real(words_[axis + 2], what, -kFarthestCoordinate, kFarthestCoordinate);
         if (value) point[static_cast<Eigen::Index>(axis)] = *value;
       }
     }
@@ -248,7 +248,7 @@ class Parser {
         return {};
       }
       for (const std::string_view word : words_) {
-        const auto value = real(word, what, -kLargestCoordinate, kLargestCoordinate);
+        const auto value = real(word, what, -kFarthestCoordinate, kFarthestCoordinate);
         numbers.push_back(value ? *value : std::nan(""));
       }
     }
