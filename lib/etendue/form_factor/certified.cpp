@@ -74,8 +74,10 @@ class PairEnclosure {
       if (!reached()) add_contour(wanted);
       if (!area_first && !reached()) add_area(wanted);
       const double half = 0.5 * (sum_.upper - sum_.lower), least = std::min(std::abs(sum_.lower), std::abs(sum_.upper));
-      // A quarter of the goal for what is known now; the rounding that is left is none of the quadrature's.
-      wanted = std::min(0.25 * asked(std::max(least, 1e-3 * half)), 0.125 * wanted);
+      // A quarter of the goal for what is known now; the rounding that is left is none of the quadrature's. Where the sum
+      // may still be zero, its size is taken for this share of what is not known.
+      constexpr double kLeastShare = 1e-3;
+      wanted = std::min(0.25 * asked(std::max(least, kLeastShare * half)), 0.125 * wanted);
     }
     return {factor(), reached(), work_};
   }

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "etendue/geometry/expansion.hpp"
 #include "etendue/geometry/newell.hpp"
 
 namespace etendue {
@@ -68,20 +67,9 @@ Interval ExactPlane::height(const Vec3& point) const {
 }
 
 Interval ExactPlane::exact_height(const Vec3& point) const {
-  const Vec3& origin = vertices_.front();
-  const auto from_origin = [&](const Vec3& p, int axis) { return Expansion(exact_difference(p[axis], origin[axis])); };
-  Expansion sum(0.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-    Expansion normal(0.0);
-    for (std::size_t i = 1; i + 1 < vertices_.size(); ++i) {
-      const Vec3 &a = vertices_[i], &b = vertices_[i + 1];
-      normal = normal + from_origin(a, next) * from_origin(b, last) - from_origin(a, last) * from_origin(b, next);
-    }
-    sum = sum + normal * from_origin(point, axis);
-  }
-  if (sum.sign() == 0) return {};
-  const DoubleDouble value = sum.to_double_double();
+  const Expansion height = exact_newell_height(vertices_, point);
+  if (height.sign() == 0) return {};
+  const DoubleDouble value = height.to_double_double();
   const double error = above(kDoubleDoubleError * std::abs(value.high) * 2);
   return enclosed(value, error);
 }

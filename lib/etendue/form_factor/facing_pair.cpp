@@ -10,16 +10,11 @@
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/sharp_plane.hpp"
 #include "etendue/form_factor/triple.hpp"
+#include "etendue/geometry/extent.hpp"
 
 namespace etendue {
 
 namespace {
-
-double extent(const std::vector<Vec3>& vertices) {
-  double largest = 0;
-  for (const Vec3& v : vertices) largest = std::max(largest, (v - vertices.front()).cwiseAbs().maxCoeff());
-  return largest;
-}
 
 double perimeter(const std::vector<Vec3>& v) {
   double sum = 0;
@@ -217,7 +212,8 @@ std::vector<Vec3> localised(const std::vector<Vec3>& vertices, const Vec3& origi
 FacingRegions facing_regions(const Boundary& from, const Boundary& to) {
   const Vec3& a = from.front().front();
   const Vec3& b = to.front().front();
-  const double size = std::max({extent(from.front()), extent(to.front()), (b - a).cwiseAbs().maxCoeff()});
+  const double size =
+      std::max({extent_of(from.front()).size, extent_of(to.front()).size, (b - a).cwiseAbs().maxCoeff()});
   FacingRegions pair;
   pair.scale = std::ldexp(1.0, -std::ilogb(size));
   const Placed from_placed = placed(from, pair.scale), to_placed = placed(to, pair.scale);

@@ -9,35 +9,18 @@
 
 #include "etendue/form_factor/point_polygon.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
+#include "etendue/geometry/extent.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/newell.hpp"
 #include "etendue/geometry/predicates.hpp"
+#include "etendue/geometry/vector_text.hpp"
 
 namespace etendue {
 
 namespace {
 
-std::string text(const Vec3& v) {
-  std::ostringstream out;
-  out.precision(17);
-  out << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
-  return out.str();
-}
-
 Error refusal(std::size_t hole, const std::string& what) {
   return {ErrorCode::invalid_input, "region: hole " + std::to_string(hole) + " " + what};
-}
-
-/// Do the closed segments p–q and r–s have a point in common?
-bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-  const int r_side = orientation(p, q, r), s_side = orientation(p, q, s);
-  const int p_side = orientation(r, s, p), q_side = orientation(r, s, q);
-  if (r_side * s_side > 0 || p_side * q_side > 0) return false;
-  if (r_side != 0 || s_side != 0 || p_side != 0 || q_side != 0) return true;
-  const auto apart = [](double a, double b, double c, double d) {
-    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
-  };
-  return !apart(p.x(), q.x(), r.x(), s.x()) && !apart(p.y(), q.y(), r.y(), s.y());
 }
 
 /// The first edge of `a` that meets an edge of `b`, or the number of its edges.
@@ -51,18 +34,6 @@ std::size_t meeting_edge(const std::vector<Vec3>& a, const std::vector<Vec3>& b,
   return a.size();
 }
 
-double extent(const std::vector<Vec3>& vertices) {
-  double largest = 0;
-  for (const Vec3& v : vertices) largest = std::max(largest, (v - vertices.front()).lpNorm<Eigen::Infinity>());
-  return largest;
-}
-
-double coordinate(const std::vector<Vec3>& vertices) {
-  double largest = 0;
-  for (const Vec3& v : vertices) largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
-  return largest;
-}
-
 }  // namespace
 
 PlanarRegion::PlanarRegion(const Polygon& outline)
@@ -72,7 +43,8 @@ Result<PlanarRegion> PlanarRegion::make(const Polygon& outline, const std::vecto
   PlanarRegion region(outline);
   const auto& frame = outline.vertices();
   const int axis = dominant_axis(outline.normal());
-  const double allowed = kPlanarity * extent(frame) + kCoordinateRounding * coordinate(frame);
+  const Extent extent = extent_of(frame);
+  const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   for (std::size_t h = 0; h < holes.size(); ++h) {
     const Result<Polygon> hole = Polygon::make(holes[h]);
     if (!hole) return refusal(h, "is no polygon: " + hole.error().message);

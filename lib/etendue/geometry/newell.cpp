@@ -13,6 +13,22 @@ DoubleDouble3 newell_sum(const std::vector<Vec3>& vertices) {
   return sum;
 }
 
+Expansion exact_newell_height(const std::vector<Vec3>& vertices, const Vec3& point) {
+  const Vec3& origin = vertices.front();
+  const auto from_origin = [&](const Vec3& p, int axis) { return Expansion(exact_difference(p[axis], origin[axis])); };
+  Expansion sum(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    Expansion normal(0.0);
+    for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+      const Vec3 &a = vertices[i], &b = vertices[i + 1];
+      normal = normal + from_origin(a, next) * from_origin(b, last) - from_origin(a, last) * from_origin(b, next);
+    }
+    sum = sum + normal * from_origin(point, axis);
+  }
+  return sum;
+}
+
 int dominant_axis(const Vec3& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "etendue/geometry/double_double3.hpp"
+#include "etendue/geometry/expansion.hpp"
 
 namespace etendue {
 
@@ -13,6 +14,12 @@ namespace etendue {
 /// Accuracy  each component within 2^-100 n d² of the exact sum, d the diameter; proved, NOTES.md §6
 /// Source    Sutherland, Sproull and Schumacker 1974
 [[nodiscard]] DoubleDouble3 newell_sum(const std::vector<Vec3>& vertices);
+
+/// N · (point − v_0), N the exact Newell sum: the height of `point` over the polygon's plane times the length of N.
+///
+/// Accuracy  exact, for what double leaves open
+/// Domain    as for Expansion
+[[nodiscard]] Expansion exact_newell_height(const std::vector<Vec3>& vertices, const Vec3& point);
 
 /// The index of the largest component of `normal`: dropping it projects with the largest area.      @eq IU.5.6.2
 [[nodiscard]] int dominant_axis(const Vec3& normal);

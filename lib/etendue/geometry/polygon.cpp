@@ -7,12 +7,14 @@
 #include <sstream>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/geometry/extent.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
 #include "etendue/geometry/predicates.hpp"
 #include "etendue/geometry/shear.hpp"
 #include "etendue/geometry/triangle.hpp"
+#include "etendue/geometry/vector_text.hpp"
 
 namespace etendue {
 
@@ -22,32 +24,11 @@ Error refusal(const std::string& what) {
   return {ErrorCode::invalid_input, "polygon: " + what};
 }
 
-std::string text(const Vec3& v) {
-  std::ostringstream out;
-  out.precision(17);
-  out << '(' << v.x() << ", " << v.y() << ", " << v.z() << ')';
-  return out.str();
-}
-
-std::string text(double value) {
+std::string rounded(double value) {
   std::ostringstream out;
   out.precision(6);
   out << value;
   return out.str();
-}
-
-// Largest coordinate, and largest distance from vertex 0 in any coordinate.
-struct Extent {
-  double coordinate = 0, size = 0;
-};
-
-Extent extent_of(const std::vector<Vec3>& vertices) {
-  Extent extent;
-  for (const Vec3& v : vertices) {
-    extent.coordinate = std::max(extent.coordinate, v.lpNorm<Eigen::Infinity>());
-    extent.size = std::max(extent.size, (v - vertices[0]).lpNorm<Eigen::Infinity>());
-  }
-  return extent;
 }
 
 std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
@@ -59,7 +40,7 @@ std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
     }
     if (vertices[i].lpNorm<Eigen::Infinity>() > kGreatestCoordinate) {
       return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) +
-                     " lies beyond 2^200 = " + text(kGreatestCoordinate) + "; the area could overflow");
+                     " lies beyond 2^200 = " + rounded(kGreatestCoordinate) + "; the area could overflow");
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -71,22 +52,11 @@ std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
     const double edge = (vertices[j] - vertices[i]).lpNorm<Eigen::Infinity>();
     if (edge < kLeastEdge) {
       return refusal("edge " + std::to_string(i) + "-" + std::to_string(j) + " at " + text(vertices[i]) + " is " +
-                     text(edge) + " long, less than 2^-200 = " + text(kLeastEdge) + "; the area would lose digits");
+                     rounded(edge) + " long, less than 2^-200 = " + rounded(kLeastEdge) +
+                     "; the area would lose digits");
     }
   }
   return std::nullopt;
-}
-
-// Do the closed segments p-q and r-s have a point in common?
-bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
-  const int r_side = orientation(p, q, r), s_side = orientation(p, q, s);
-  const int p_side = orientation(r, s, p), q_side = orientation(r, s, q);
-  if (r_side * s_side > 0 || p_side * q_side > 0) return false;
-  if (r_side != 0 || s_side != 0 || p_side != 0 || q_side != 0) return true;
-  const auto apart = [](double a, double b, double c, double d) {
-    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
-  };
-  return !apart(p.x(), q.x(), r.x(), s.x()) && !apart(p.y(), q.y(), r.y(), s.y());
 }
 
 // Does the edge that arrives at `corner` from `before` turn back over itself towards `after`?
@@ -160,16 +130,17 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
     if (auto crossing = crossing_without_area(vertices, allowed)) return *crossing;
-    return refusal("area " + text(polygon.area_) + " is zero: it is narrower than the rounding of its coordinates (" +
-                   text(extent.coordinate) + ")");
+    return refusal("area " + rounded(polygon.area_) +
+                   " is zero: it is narrower than the rounding of its coordinates (" + rounded(extent.coordinate) +
+                   ")");
   }
   polygon.normal_ = twice_area.normalized();
   polygon.centroid_ = area_centroid(vertices, polygon.normal_);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double distance = std::abs(polygon.normal_.dot(vertices[i] - polygon.centroid_));
     if (!(distance <= allowed)) {
-      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is " + text(distance) +
-                     " off the plane; " + text(allowed) + " is allowed (use triangles)");
+      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is " + rounded(distance) +
+                     " off the plane; " + rounded(allowed) + " is allowed (use triangles)");
     }
   }
   if (auto error = bad_chain(vertices, dominant_axis(polygon.normal_))) return *error;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/geometry/predicates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "etendue/core/rounding.hpp"
@@ -35,6 +36,17 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Expansion ax = exact_difference(a.x(), c.x()), ay = exact_difference(a.y(), c.y());
   const Expansion bx = exact_difference(b.x(), c.x()), by = exact_difference(b.y(), c.y());
   return (ax * by - ay * bx).sign();
+}
+
+bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s) {
+  const int r_side = orientation(p, q, r), s_side = orientation(p, q, s);
+  const int p_side = orientation(r, s, p), q_side = orientation(r, s, q);
+  if (r_side * s_side > 0 || p_side * q_side > 0) return false;
+  if (r_side != 0 || s_side != 0 || p_side != 0 || q_side != 0) return true;
+  const auto apart = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
+  return !apart(p.x(), q.x(), r.x(), s.x()) && !apart(p.y(), q.y(), r.y(), s.y());
 }
 
 int side(const Vec3& point, const Plane& plane) {

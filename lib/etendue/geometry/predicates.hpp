@@ -13,6 +13,12 @@ namespace etendue {
 /// Source    Shewchuk 1997
 [[nodiscard]] int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// Do the closed segments from `p` to `q` and from `r` to `s` have a point in common?
+///
+/// Accuracy  exact, proved: every decision is an orientation()
+/// Domain    as for orientation(); no segment is a point
+[[nodiscard]] bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s);
+
 /// ab − cd without cancellation.
 ///
 /// Accuracy  relative error at most 2 u where the rounded products are equal, 3 u otherwise; the sign is exact. Proved

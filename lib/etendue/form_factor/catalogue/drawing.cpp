@@ -15,6 +15,8 @@ constexpr double kWidth = 420, kHeight = 320, kMargin = 46;
 constexpr double kAzimuth = 32 * std::numbers::pi / 180, kElevation = 24 * std::numbers::pi / 180;
 constexpr int kCorners = 72;   ///< of a drawn circle
 constexpr double kAside = 13;  ///< of a letter from its line [pixels]
+/// What is drawn is of order one; shorter than this it has no direction and no scale, and only must not divide by zero.
+constexpr double kLeastLength = 1e-12;
 
 constexpr const char* fill_of(Surface which) {
   switch (which) {
@@ -74,7 +76,7 @@ std::string escaped(std::string_view text) {
 
 Drawing::Drawing(View view) : view_(view) {}
 
-Drawing::Point Drawing::project(const Vec3& p) const {
+Vec2 Drawing::project(const Vec3& p) const {
   if (view_ == View::section) return {p.x(), -p.z()};
   const double right = std::cos(kAzimuth) * p.x() + std::sin(kAzimuth) * p.y();
   const double into = -std::sin(kAzimuth) * p.x() + std::cos(kAzimuth) * p.y();
@@ -85,8 +87,8 @@ Vec3 Drawing::towards_viewer() const {
   return {std::sin(kAzimuth) * std::cos(kElevation), -std::cos(kAzimuth) * std::cos(kElevation), std::sin(kElevation)};
 }
 
-std::vector<Drawing::Point> Drawing::projected(const std::vector<Vec3>& points) const {
-  std::vector<Point> result;
+std::vector<Vec2> Drawing::projected(const std::vector<Vec3>& points) const {
+  std::vector<Vec2> result;
   for (const Vec3& p : points) result.push_back(project(p));
   return result;
 }
@@ -101,7 +103,7 @@ std::vector<Vec3> Drawing::circle(const Vec3& centre, const Vec3& axis, double r
   return points;
 }
 
-void Drawing::fill(Surface which, std::vector<std::vector<Point>> outlines) {
+void Drawing::fill(Surface which, std::vector<std::vector<Vec2>> outlines) {
   shapes_.push_back({std::move(outlines), true, std::string(fill_of(which)) + ";stroke-width:1.4", false});
 }
 
@@ -118,7 +120,7 @@ void Drawing::rectangle(Surface which, const Vec3& corner, const Vec3& a, const 
 }
 
 void Drawing::disc(Surface which, const Vec3& centre, const Vec3& axis, double radius, double hole) {
-  std::vector<std::vector<Point>> outlines{projected(circle(centre, axis, radius))};
+  std::vector<std::vector<Vec2>> outlines{projected(circle(centre, axis, radius))};
   if (hole > 0) outlines.push_back(projected(circle(centre, axis, hole)));
   fill(which, std::move(outlines));
 }
@@ -222,7 +224,7 @@ void Drawing::circle_trace(Surface which, const Vec3& centre, double radius, dou
 
 void Drawing::ring(const Vec3& centre, double radius, const Vec3& width) {
   const double outward = width.x();  // x: how much the radius grows; z: the height
-  std::vector<std::vector<Point>> outlines{
+  std::vector<std::vector<Vec2>> outlines{
       projected(circle(centre, {0, 0, 1}, radius)),
       projected(circle(centre + Vec3(0, 0, width.z()), {0, 0, 1}, radius + outward))};
   shapes_.push_back({std::move(outlines), true, "fill:#1f5fae;stroke:#123a6b;stroke-width:1", false});
@@ -237,12 +239,12 @@ void Drawing::line(const Vec3& a, const Vec3& b, Stroke kind) {
 
 void Drawing::dimension(const Vec3& a, const Vec3& b, std::string_view text) {
   stroke({a, b}, "fill:none;stroke:#aa2222;stroke-width:1", false, true);
-  const Point p = project(a), q = project(b);
-  const double dx = q.x - p.x, dy = q.y - p.y, length = std::max(std::hypot(dx, dy), 1e-12);
+  const Vec2 p = project(a), q = project(b);
+  const double dx = q.x() - p.x(), dy = q.y() - p.y(), length = std::max(std::hypot(dx, dy), kLeastLength);
   // Beside the line: to the right of a steep one, above a flat one.
-  Point aside{-dy / length * kAside, dx / length * kAside};
-  if (std::abs(dx) < 0.5 * std::abs(dy) ? aside.x < 0 : aside.y > 0) aside = {-aside.x, -aside.y};
-  texts_.push_back({{(p.x + q.x) / 2, (p.y + q.y) / 2}, aside, std::string(text)});
+  Vec2 aside{-dy / length * kAside, dx / length * kAside};
+  if (std::abs(dx) < 0.5 * std::abs(dy) ? aside.x() < 0 : aside.y() > 0) aside = {-aside.x(), -aside.y()};
+  texts_.push_back({{(p.x() + q.x()) / 2, (p.y() + q.y()) / 2}, aside, std::string(text)});
 }
 
 void Drawing::height(const Vec3& foot, const Vec3& head, double aside, std::string_view text) {
@@ -261,9 +263,9 @@ void Drawing::angle(const Vec3& at, const Vec3& from, const Vec3& to, double rad
   }
   stroke(points, "fill:none;stroke:#aa2222;stroke-width:1", false);
   const Vec3 middle = at + radius * (std::cos(whole / 2) * a + std::sin(whole / 2) * b);
-  const Point p = project(at), q = project(middle);
-  const double length = std::max(std::hypot(q.x - p.x, q.y - p.y), 1e-12);
-  texts_.push_back({q, {(q.x - p.x) / length * kAside, (q.y - p.y) / length * kAside}, std::string(text)});
+  const Vec2 p = project(at), q = project(middle);
+  const double length = std::max(std::hypot(q.x() - p.x(), q.y() - p.y()), kLeastLength);
+  texts_.push_back({q, {(q.x() - p.x()) / length * kAside, (q.y() - p.y()) / length * kAside}, std::string(text)});
 }
 
 void Drawing::label(const Vec3& at, std::string_view text) {
@@ -274,18 +276,18 @@ std::string Drawing::svg(std::string_view title) const {
   double left = 1e300, right = -1e300, top = 1e300, bottom = -1e300;
   for (const Shape& shape : shapes_) {
     for (const auto& outline : shape.outlines) {
-      for (const Point& p : outline) {
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-        top = std::min(top, p.y);
-        bottom = std::max(bottom, p.y);
+      for (const Vec2& p : outline) {
+        left = std::min(left, p.x());
+        right = std::max(right, p.x());
+        top = std::min(top, p.y());
+        bottom = std::max(bottom, p.y());
       }
     }
   }
-  const double scale = std::min((kWidth - 2 * kMargin) / std::max(right - left, 1e-9),
-                                (kHeight - 2 * kMargin) / std::max(bottom - top, 1e-9));
-  const auto place = [&](const Point& p) {
-    return Point{kWidth / 2 + scale * (p.x - (left + right) / 2), kHeight / 2 + scale * (p.y - (top + bottom) / 2)};
+  const double scale = std::min((kWidth - 2 * kMargin) / std::max(right - left, kLeastLength),
+                                (kHeight - 2 * kMargin) / std::max(bottom - top, kLeastLength));
+  const auto place = [&](const Vec2& p) {
+    return Vec2{kWidth / 2 + scale * (p.x() - (left + right) / 2), kHeight / 2 + scale * (p.y() - (top + bottom) / 2)};
   };
   std::string out =
       "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 420 320\" "
@@ -300,8 +302,8 @@ std::string Drawing::svg(std::string_view title) const {
     out += "<path d=\"";
     for (const auto& outline : shape.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point p = place(outline[i]);
-        out += (i == 0 ? "M" : "L") + number(p.x) + " " + number(p.y);
+        const Vec2 p = place(outline[i]);
+        out += (i == 0 ? "M" : "L") + number(p.x()) + " " + number(p.y());
       }
       if (shape.closed) out += "Z";
     }
@@ -310,8 +312,8 @@ std::string Drawing::svg(std::string_view title) const {
     out += "/>\n";
   }
   for (const Text& text : texts_) {
-    const Point p = place(text.at);
-    out += "<text x=\"" + number(p.x + text.aside.x) + "\" y=\"" + number(p.y + text.aside.y + 5) +
+    const Vec2 p = place(text.at);
+    out += "<text x=\"" + number(p.x() + text.aside.x()) + "\" y=\"" + number(p.y() + text.aside.y() + 5) +
            "\" style=\"font:italic 15px "
            "Georgia,serif;text-anchor:middle;paint-order:stroke;stroke:white;stroke-width:4\">" +
            escaped(text.text) + "</text>\n";

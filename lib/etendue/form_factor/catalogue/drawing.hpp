@@ -53,26 +53,23 @@ class Drawing {
   [[nodiscard]] std::string svg(std::string_view title) const;
 
  private:
-  struct Point {
-    double x = 0, y = 0;
-  };
   struct Shape {
-    std::vector<std::vector<Point>> outlines;  ///< several: a surface with holes
+    std::vector<std::vector<Vec2>> outlines;  ///< several: a surface with holes
     bool closed = false;
     std::string style;
     bool arrows = false;
   };
   struct Text {
-    Point at;
-    Point aside;  ///< direction in which the text is moved away [pixels]
+    Vec2 at;
+    Vec2 aside;  ///< direction in which the text is moved away [pixels]
     std::string text;
   };
 
-  Point project(const Vec3& p) const;
+  Vec2 project(const Vec3& p) const;
   Vec3 towards_viewer() const;
-  std::vector<Point> projected(const std::vector<Vec3>& points) const;
+  std::vector<Vec2> projected(const std::vector<Vec3>& points) const;
   std::vector<Vec3> circle(const Vec3& centre, const Vec3& axis, double radius) const;
-  void fill(Surface which, std::vector<std::vector<Point>> outlines);
+  void fill(Surface which, std::vector<std::vector<Vec2>> outlines);
   void stroke(const std::vector<Vec3>& points, std::string_view style, bool closed, bool arrows = false);
 
   View view_;
