@@ -12,6 +12,7 @@
 #include "etendue/form_factor/catalogue/catalogue.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/nearest.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
@@ -22,18 +23,6 @@ namespace {
 
 namespace cat = etendue::catalogue;
 using Json = nlohmann::ordered_json;
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::string brief(double value) {
-  std::ostringstream text;
-  text.precision(2);
-  text << value;
-  return text.str();
-}
 
 int fail(std::ostream& err, const Error& error) {
   return cli::fail(err, "catalogue", error);
@@ -90,7 +79,7 @@ void print_page(const cat::Entry& entry, std::ostream& out) {
     out << "  --" << symbol << std::string(width - symbol.size() + 2, ' ') << p.meaning << ": " << cat::domain(p)
         << '\n';
   }
-  out << "\nDomain     lengths within a ratio of " << brief(entry.widest_ratio) << '\n';
+  out << "\nDomain     lengths within a ratio of " << rounded(entry.widest_ratio, 2) << '\n';
   for (const auto& condition : entry.conditions) out << "           " << condition.rule << '\n';
   out << "Formula    " << entry.formula << "\nSource     " << entry.source << "\nCare       " << entry.care
       << "\nAccuracy   " << accuracy(entry) << '\n';
@@ -130,8 +119,8 @@ int print_factor(const cat::Entry& entry, const std::vector<double>& parameters,
     out << report.dump(1) << '\n';
     return 0;
   }
-  out << "F12 = " << number(factor->value) << "  within " << brief(factor->bound) << '\n';
-  if (*reverse) out << "F21 = " << number((*reverse)->value) << "  within " << brief((*reverse)->bound) << '\n';
+  out << "F12 = " << shortest(factor->value) << "  within " << rounded(factor->bound, 2) << '\n';
+  if (*reverse) out << "F21 = " << shortest((*reverse)->value) << "  within " << rounded((*reverse)->bound, 2) << '\n';
   return 0;
 }
 

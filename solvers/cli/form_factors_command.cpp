@@ -21,6 +21,7 @@
 #include "etendue/io/matrix_file.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/surface_file.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "form_factors_report.hpp"
 #include "options.hpp"
@@ -94,11 +95,6 @@ void declare(Options& options, Request& request) {
   options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --output l-room.vf");
   options.example("etendue form-factors scenes/furnace/scene.json --method hemicube --resolution 100 --rotate");
   options.example("etendue form-factors scenes/furnace/scene.json --method rays --rays 1000 --json");
-}
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /// The row that the user means by a number from 1 or by a name; a name goes before a number.
@@ -182,7 +178,7 @@ class Run {
 
   std::string settings() const {
     std::string text = std::string("etendue ") + version() + ", method " + request_.method + ", relative " +
-                       number(request_.tolerance.relative) + ", absolute " + number(request_.tolerance.absolute);
+                       shortest(request_.tolerance.relative) + ", absolute " + shortest(request_.tolerance.absolute);
     if (request_.method == "rays") text += ", rays " + std::to_string(request_.rays);
     if (request_.by_pixels()) {
       text += ", resolution " + std::to_string(request_.pixels.resolution) + ", points " +
@@ -228,7 +224,7 @@ class Run {
       print_pair_report(out_, report);
     }
     if (report.reached) return 0;
-    return missed("the factor's bound " + number(std::max(report.forth.bound, report.back.bound)) +
+    return missed("the factor's bound " + shortest(std::max(report.forth.bound, report.back.bound)) +
                   " exceeds what was asked for");
   }
 
@@ -281,8 +277,8 @@ class Run {
     if (request_.drop > 0) {
       rows = in_memory(rows);  // what lies in the checkpoint stays as computed
       const DropReport dropped = drop_below(rows, request_.drop);
-      remarks.push_back("dropped: " + std::to_string(dropped.pairs) + " pairs below " + number(request_.drop) +
-                        "; row " + std::to_string(dropped.row + 1) + " loses most, " + number(dropped.largest_share) +
+      remarks.push_back("dropped: " + std::to_string(dropped.pairs) + " pairs below " + shortest(request_.drop) +
+                        "; row " + std::to_string(dropped.row + 1) + " loses most, " + shortest(dropped.largest_share) +
                         "; their bounds grew by what they were");
       closure = row_closure(rows);
     }
@@ -298,7 +294,7 @@ class Run {
     }
     if (beyond == 0) return 0;
     return missed(std::to_string(beyond) + " pairs have bounds beyond what was asked for, the largest is " +
-                  number(closure.largest_bound) + " from surface " + std::to_string(closure.loosest_from + 1) + " '" +
+                  shortest(closure.largest_bound) + " from surface " + std::to_string(closure.loosest_from + 1) + " '" +
                   model_.rows[closure.loosest_from].name + "' to " + std::to_string(closure.loosest_to + 1) + " '" +
                   model_.rows[closure.loosest_to].name + "'");
   }
@@ -306,9 +302,9 @@ class Run {
   std::string repair_remark(const RepairReport& repair) const {
     return "closure repaired: " + std::to_string(repair.changed) + " pairs changed, " + std::to_string(repair.beyond) +
            " of them by more than their bounds, " + std::to_string(repair.at_zero) + " held at zero; largest change " +
-           number(repair.largest_change) + " from surface " + std::to_string(repair.from + 1) + " to " +
-           std::to_string(repair.to + 1) + "; largest row defect " + number(repair.defect_before) + " before, " +
-           number(repair.defect_after) + " after; bounds grew by the changes";
+           shortest(repair.largest_change) + " from surface " + std::to_string(repair.from + 1) + " to " +
+           std::to_string(repair.to + 1) + "; largest row defect " + shortest(repair.defect_before) + " before, " +
+           shortest(repair.defect_after) + " after; bounds grew by the changes";
   }
 
   /// Pairs of rows that miss the tolerance. Rows that are elements, and as computed, were judged when they were found.

@@ -6,18 +6,13 @@
 #include <ostream>
 
 #include "etendue/core/version.hpp"
+#include "etendue/text/number_text.hpp"
 
 namespace etendue::cli {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 std::string exact(double value) {
   char text[40];

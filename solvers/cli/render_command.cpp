@@ -16,6 +16,7 @@
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/render.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
@@ -43,18 +44,6 @@ struct Request {
   int columns = 0;                   ///< 0: as the scene says
 };
 
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 /// What identifies the picture; nothing that may differ between runs, so that equal pictures are equal files.
 ImageMetadata metadata(const Request& request, const SceneFile& file, const Rendering& rendering) {
   const auto done = std::count(rendering.row_done.begin(), rendering.row_done.end(), char{1});
@@ -64,7 +53,7 @@ ImageMetadata metadata(const Request& request, const SceneFile& file, const Rend
           {"etendue:scene", file.scene.name},
           {"etendue:scene_hash", file.hash},
           {"etendue:depth", std::to_string(request.render.limits.depth)},
-          {"etendue:cutoff", number(request.render.limits.cutoff)},
+          {"etendue:cutoff", shortest(request.render.limits.cutoff)},
           {"etendue:samples_per_side", std::to_string(request.render.samples_per_side)},
           {"etendue:rows", rows + (rendering.complete ? "" : " (incomplete: the others are black)")}};
 }
@@ -92,7 +81,7 @@ Result<Written> write_pictures(const Request& request, const SceneFile& file, co
   ImageMetadata facts = metadata(request, file, rendering);
   const auto exr = encode_image(written.exr, rendering.image, facts);
   if (!exr) return exr.error();
-  facts.emplace_back("etendue:exposure", number(request.exposure));
+  facts.emplace_back("etendue:exposure", shortest(request.exposure));
   const auto png = encode_image(written.png, exposed(rendering.image, request.exposure), facts);
   if (!png) return png.error();
   if (const auto both = write_files({*exr, *png}); !both) return both.error();
@@ -112,7 +101,7 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
   out << "scene       " << printable(file.scene.name) << ", " << file.scene.objects.size() << " objects, hash "
       << file.hash << '\n'
       << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
-      << side << " rays a pixel, depth " << limits.depth << ", cutoff " << number(limits.cutoff) << '\n'
+      << side << " rays a pixel, depth " << limits.depth << ", cutoff " << shortest(limits.cutoff) << '\n'
       << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
       << counts.transmitted_rays << " transmitted, " << counts.shadow_rays << " to lights\n"
       << "tests       " << rounded(per_ray(counts.tests.surfaces, counts)) << " surfaces and "

@@ -12,6 +12,7 @@
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/image_file.hpp"
 #include "etendue/meshing/surface_checks.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
 #include "memory.hpp"
@@ -38,11 +39,6 @@ struct Request {
       0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
   int samples = 3;
 };
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 /// The file's name with another ending.
 fs::path named(const Request& request, const char* ending) {
@@ -71,7 +67,7 @@ ImageMetadata metadata(const SolveReport& report, int samples) {
           {"etendue:scene", report.file.scene.name},
           {"etendue:scene_hash", report.file.hash},
           {"etendue:solver", report.solver},
-          {"etendue:tolerance", number(report.tolerance.obstructed.relative)},
+          {"etendue:tolerance", shortest(report.tolerance.obstructed.relative)},
           {"etendue:samples_per_side", std::to_string(samples)},
           {"etendue:values", "radiosity [W/m2]"}};
 }
@@ -98,7 +94,7 @@ Result<Done> write_pictures(SolveReport& report, const Request& request, std::os
   const auto exr = encode_image(report.exr, *picture, facts);
   if (!exr) return exr.error();
   facts.back().second = "radiosity times exposure";
-  facts.emplace_back("etendue:exposure", number(report.exposure));
+  facts.emplace_back("etendue:exposure", shortest(report.exposure));
   const auto png = encode_image(report.png, exposed(*picture, report.exposure), facts);
   if (!png) return png.error();
   return write_files({*exr, *png});
@@ -109,14 +105,10 @@ Result<Done> check_memory(const ElementMesh& mesh) {
   const auto available = available_memory();
   const auto n = static_cast<double>(mesh.elements.size());
   if (!available || n * n * kBytesAPair <= *available) return Done{};
-  const auto gigabytes = [](double bytes) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g GB", bytes / 1e9);
-    return std::string(text);
-  };
+  const auto gigabytes = [](double bytes) { return rounded(bytes / 1e9, 3) + " GB"; };
   return Error{ErrorCode::input_output,
                std::to_string(mesh.elements.size()) + " elements need " + gigabytes(n * n * kBytesAPair) +
-                   " of memory (" + number(kBytesAPair) + " bytes for each of n² pairs), " + gigabytes(*available) +
+                   " of memory (" + shortest(kBytesAPair) + " bytes for each of n² pairs), " + gigabytes(*available) +
                    " are available: divide the surfaces into fewer elements (\"elements\" of the objects)"};
 }
 

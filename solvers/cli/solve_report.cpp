@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "etendue/core/version.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue::cli {
@@ -17,12 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kChannels[] = {"red", "green", "blue"};
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 template <class Three>
 Json triple(const Three& v) {

@@ -10,6 +10,7 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/text/number_text.hpp"
 
 namespace etendue {
 
@@ -147,19 +148,13 @@ Error refusal(const std::string& what) {
   return {ErrorCode::not_converged, "closure is not repaired: " + what};
 }
 
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 }  // namespace
 
 Result<RepairedExchanges> repaired(const ExchangeMatrix& matrix, const RowClosure& closure) {
   require(matrix.complete(), "repaired: the matrix is complete");
   if (closure.defect > kOpenRow) {
-    return refusal("row " + std::to_string(closure.worst + 1) + " sums to " + percent(closure.sums[closure.worst]) +
-                   "; rows that are off by more than " + percent(kOpenRow) + " are open, or their surfaces overlap");
+    return refusal("row " + std::to_string(closure.worst + 1) + " sums to " + rounded(closure.sums[closure.worst], 3) +
+                   "; rows that are off by more than " + rounded(kOpenRow, 3) + " are open, or their surfaces overlap");
   }
   Repair repair(matrix, closure);
   bool solved = repair.solve();

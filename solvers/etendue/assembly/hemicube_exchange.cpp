@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "etendue/assembly/split_mix.hpp"
 #include "etendue/core/contract.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 
@@ -17,12 +18,6 @@ constexpr double kOverlaid = 0x1p-20;
 
 /// What is asked of the factors that judge: far below what pixels reach.
 constexpr Tolerance kJudge{1e-6, 1e-9};
-
-std::uint64_t mixed(std::uint64_t z) {  // SplitMix64's finalizer
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
 
 bool faces(const Polygon& polygon, const Vec3& point) {
   return polygon.normal().dot(point - polygon.centroid()) > 0;
@@ -85,8 +80,8 @@ std::vector<StandPoint> triangles_of(const std::vector<Vec3>& v, int n) {
 }  // namespace
 
 double turn_of(std::uint64_t seed, std::size_t element, std::size_t point) {
-  const std::uint64_t counter = mixed(mixed(seed + 0x9e3779b97f4a7c15u) ^ (element * 0x9e3779b97f4a7c15u + 1)) + point;
-  return 2 * std::numbers::pi * static_cast<double>(mixed(counter * 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
+  const std::uint64_t counter = split_mix(split_mix(seed + kGoldenStep) ^ (element * kGoldenStep + 1)) + point;
+  return 2 * std::numbers::pi * unit_interval(split_mix(counter * kGoldenStep));
 }
 
 std::vector<StandPoint> stand_points(const Polygon& polygon, int per_side) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "etendue/acceleration/accelerator.hpp"
+#include "etendue/assembly/split_mix.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
@@ -15,19 +16,14 @@ namespace etendue {
 
 namespace {
 
-/// SplitMix64: the n-th number of a stream depends on seed and stream alone.
+/// The n-th number of a stream depends on seed and stream alone.
 class Stream {
  public:
-  Stream(std::uint64_t seed, std::uint64_t number) : state_(mixed(seed) ^ mixed(number * 0x9e3779b97f4a7c15u + 1)) {}
+  Stream(std::uint64_t seed, std::uint64_t number) : state_(split_mix(seed) ^ split_mix(number * kGoldenStep + 1)) {}
   /// In [0, 1).
-  double unit() { return static_cast<double>(mixed(state_ += 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53; }
+  double unit() { return unit_interval(split_mix(state_ += kGoldenStep)); }
 
  private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
   std::uint64_t state_;
 };
 

@@ -14,6 +14,7 @@
 #include <memory>
 #include <system_error>
 
+#include "etendue/text/fingerprint.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -31,17 +32,15 @@ struct Header {
   std::uint64_t checksum;                                      ///< of all before the records, this word as 0
 };
 
-std::uint64_t fnv(std::uint64_t state, const void* data, std::size_t size) {
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t k = 0; k < size; ++k) state = (state ^ bytes[k]) * 0x100000001b3u;
-  return state;
+std::string_view bytes_of(const void* data, std::size_t size) {
+  return {static_cast<const char*>(data), size};
 }
-constexpr std::uint64_t kFnvStart = 0xcbf29ce484222325u;
 
 std::uint64_t hash_of(const Polygon& polygon, std::uint64_t belongs_to) {
-  std::uint64_t state = fnv(kFnvStart, &belongs_to, sizeof belongs_to);
-  for (const Vec3& v : polygon.vertices()) state = fnv(state, v.data(), 3 * sizeof(double));
-  return state;
+  Fingerprint fingerprint;
+  fingerprint.add(bytes_of(&belongs_to, sizeof belongs_to));
+  for (const Vec3& v : polygon.vertices()) fingerprint.add(bytes_of(v.data(), 3 * sizeof(double)));
+  return fingerprint.value();
 }
 
 std::size_t page_up(std::size_t offset) {
@@ -63,7 +62,7 @@ std::string head_of(const CheckpointKey& key, const TileLayout& layout) {
   std::memcpy(head.data() + sizeof header, key.settings.data(), key.settings.size());
   std::memcpy(head.data() + sizeof header + key.settings.size(), key.hashes.data(),
               key.hashes.size() * sizeof(std::uint64_t));
-  header.checksum = fnv(kFnvStart, head.data(), head.size());
+  header.checksum = Fingerprint().add(head).value();
   std::memcpy(head.data(), &header, sizeof header);
   return head;
 }
@@ -122,7 +121,7 @@ Result<std::string> read_head(const fs::path& path, int file, std::size_t size) 
   if (::pread(file, head.data(), head.size(), 0) != static_cast<ssize_t>(head.size())) return foreign;
   std::string unsigned_head = head;
   std::memset(unsigned_head.data() + offsetof(Header, checksum), 0, sizeof header.checksum);
-  if (fnv(kFnvStart, unsigned_head.data(), unsigned_head.size()) != header.checksum) return foreign;
+  if (Fingerprint().add(unsigned_head).value() != header.checksum) return foreign;
   return head;
 }
 

@@ -148,15 +148,8 @@ class Parser {
 }  // namespace
 
 Result<SurfaceModel> read_obj(const std::filesystem::path& path) {
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  ReadErrors errors(path.string());
-  SurfaceModel model;
-  model.name = path.stem().string();
-  model.hash = fingerprint(*bytes);
-  Parser(model, errors).run(*bytes);
-  if (errors.count() > 0) return errors.error();
-  return model;
+  return built_from(
+      path, [](std::string_view bytes, SurfaceModel& model, ReadErrors& errors) { Parser(model, errors).run(bytes); });
 }
 
 }  // namespace etendue

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -23,7 +24,7 @@ Error ReadErrors::error() const {
     text += printable(file_) + ":" + (place > 0 ? std::to_string(place) + ":" : "") + " " + message + "\n";
   }
   if (sorted.size() > kMostLines) text += "… and " + std::to_string(sorted.size() - kMostLines) + " more\n";
-  return {ErrorCode::invalid_input, text + std::to_string(sorted.size()) + (sorted.size() == 1 ? " error" : " errors")};
+  return {ErrorCode::invalid_input, text + counted_errors(sorted.size())};
 }
 
 std::optional<double> parse_number(std::string_view word) {
@@ -68,15 +69,6 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view s
 std::string shown(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   return printable(word, kLongest);
-}
-
-std::string fingerprint(std::string_view bytes) {
-  std::uint64_t state = 0xcbf29ce484222325u;
-  for (const char byte : bytes) state = (state ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(state >> shift) & 0xF];
-  return text;
 }
 
 }  // namespace etendue

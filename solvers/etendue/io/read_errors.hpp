@@ -46,7 +46,4 @@ inline constexpr double kFarthestCoordinate = 1e50;
 /// A word as a message shows it: short, one line, whatever the file holds.
 [[nodiscard]] std::string shown(std::string_view word);
 
-/// 16 hex digits: FNV-1a (64 bit) over the bytes.
-[[nodiscard]] std::string fingerprint(std::string_view bytes);
-
 }  // namespace etendue

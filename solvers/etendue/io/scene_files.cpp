@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/text/fingerprint.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -14,26 +15,6 @@ namespace etendue {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// 64-bit FNV-1a: tells versions of a scene apart; no protection against forgery is meant.
-class Fingerprint {
- public:
-  void add(std::string_view bytes) {
-    for (const char byte : bytes) mix(static_cast<unsigned char>(byte));
-    // The length too: moving text from one file to the next changes the fingerprint.
-    for (int shift = 0; shift < 64; shift += 8) mix((static_cast<std::uint64_t>(bytes.size()) >> shift) & 0xFF);
-  }
-  std::string hex() const {
-    constexpr char kDigits[] = "0123456789abcdef";
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(state_ >> shift) & 0xF];
-    return text;
-  }
-
- private:
-  void mix(std::uint64_t byte) { state_ = (state_ ^ byte) * 0x100000001b3u; }
-  std::uint64_t state_ = 0xcbf29ce484222325u;
-};
 
 struct Unit {
   const char* name;
@@ -70,6 +51,11 @@ class Loader {
     auto bytes = read_file(path);
     if (!bytes) return bytes.error();
     fingerprint_.add(*bytes);
+    // The length too: moving text from one file to the next changes the fingerprint.
+    for (int shift = 0; shift < 64; shift += 8) {
+      const auto byte = static_cast<char>((static_cast<std::uint64_t>(bytes->size()) >> shift) & 0xFF);
+      fingerprint_.add({&byte, 1});
+    }
     known_.push_back(identity(path));
     open_.push_back(identity(path));
 

@@ -7,17 +7,12 @@
 #include <tuple>
 
 #include "etendue/io/nearest.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
 
 namespace {
-
-std::string shortest(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 std::string quoted(const std::vector<std::string>& words) {
   std::string text;
@@ -48,7 +43,7 @@ std::string SceneErrors::text() const {
   });
   std::string text;
   for (const Entry& entry : sorted) text += entry.line + "\n";
-  return text + std::to_string(sorted.size()) + (sorted.size() == 1 ? " error" : " errors");
+  return text + counted_errors(sorted.size());
 }
 
 bool Interval::contains(double value) const {
@@ -56,7 +51,7 @@ bool Interval::contains(double value) const {
 }
 
 std::string Interval::text() const {
-  return (open_low ? "(" : "[") + shortest(low) + ", " + shortest(high) + (open_high ? ")" : "]");
+  return (open_low ? "(" : "[") + rounded(low, 6) + ", " + rounded(high, 6) + (open_high ? ")" : "]");
 }
 
 SceneNode SceneNode::at(const JsonValue& json, std::string pointer) const {

@@ -172,15 +172,8 @@ class Reader {
 }  // namespace
 
 Result<SurfaceModel> read_stl(const std::filesystem::path& path) {
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  ReadErrors errors(path.string());
-  SurfaceModel model;
-  model.name = path.stem().string();
-  model.hash = fingerprint(*bytes);
-  Reader(model, errors).run(*bytes);
-  if (errors.count() > 0) return errors.error();
-  return model;
+  return built_from(
+      path, [](std::string_view bytes, SurfaceModel& model, ReadErrors& errors) { Reader(model, errors).run(bytes); });
 }
 
 }  // namespace etendue

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "etendue/io/atomic_file.hpp"
+#include "etendue/text/fingerprint.hpp"
+#include "etendue/text/number_text.hpp"
+
 namespace etendue {
 
 std::optional<Polygon> SurfaceBuilder::polygon(std::vector<Vec3> vertices, std::size_t line,
@@ -43,12 +47,23 @@ void SurfaceBuilder::finish() {
     }
   }
   if (flattened_ == 0) return;
-  char moved[32];
-  std::snprintf(moved, sizeof moved, "%.2g", most_moved_);
   model_.notes.push_back(std::to_string(flattened_) +
                          " surfaces were not flat to 12 digits: their vertices were moved onto "
                          "their planes, by at most " +
-                         moved + " (in the file's unit)");
+                         rounded(most_moved_, 2) + " (in the file's unit)");
+}
+
+Result<SurfaceModel> built_from(const std::filesystem::path& path,
+                                const std::function<void(std::string_view, SurfaceModel&, ReadErrors&)>& build) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  ReadErrors errors(path.string());
+  SurfaceModel model;
+  model.name = path.stem().string();
+  model.hash = Fingerprint().add(*bytes).hex();
+  build(*bytes, model, errors);
+  if (errors.count() > 0) return errors.error();
+  return model;
 }
 
 }  // namespace etendue

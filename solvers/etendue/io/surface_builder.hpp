@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "etendue/assembly/surface_model.hpp"
@@ -36,5 +39,11 @@ class SurfaceBuilder {
   std::size_t flattened_ = 0;
   double most_moved_ = 0;
 };
+
+/// Reads a file into a model named after it, with its fingerprint; `build` gets the file's bytes.
+///
+/// Errors    input_output where it cannot be read, else those that `build` reports
+[[nodiscard]] Result<SurfaceModel> built_from(
+    const std::filesystem::path& path, const std::function<void(std::string_view, SurfaceModel&, ReadErrors&)>& build);
 
 }  // namespace etendue

@@ -9,6 +9,8 @@
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/surface_builder.hpp"
 #include "etendue/io/vs3_records.hpp"
+#include "etendue/text/fingerprint.hpp"
+#include "etendue/text/number_text.hpp"
 
 namespace etendue {
 
@@ -19,12 +21,6 @@ constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 Polygon reversed(const Polygon& polygon) {
   return Polygon::make({polygon.vertices().rbegin(), polygon.vertices().rend()}).value();
-}
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
 }
 
 class Assembler {
@@ -106,7 +102,7 @@ class Assembler {
       off = std::max(off, std::abs(outer.normal().dot(v - outer.centroid())));
     }
     if (off > kFlatEnough * size) {
-      return complain("is " + rounded(off) + " off the plane of its base " + base.called() + ", expected in it");
+      return complain("is " + rounded(off, 3) + " off the plane of its base " + base.called() + ", expected in it");
     }
     const bool same_way = placed_[k].polygon->normal().dot(outer.normal()) > 0;
     if (same_way == covers(k)) {
@@ -197,7 +193,7 @@ Result<SurfaceModel> read_vs3(const std::filesystem::path& path) {
   const Vs3File file = parse_vs3(*bytes, errors);
   SurfaceModel model;
   model.name = file.title;
-  model.hash = fingerprint(*bytes);
+  model.hash = Fingerprint().add(*bytes).hex();
   if (file.enclosure) {
     model.notes.emplace_back("the file asks for rows that sum to one (encl=1): not done, factors are as computed");
   }

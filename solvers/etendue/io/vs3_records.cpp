@@ -162,7 +162,7 @@ class Parser {
     if (value && *value >= low && *value <= high) return value;
     complain(what + ": found '" + shown(word) + "', expected a finite number" +
              (high < kFarthestCoordinate ? " in [" + std::to_string(low) + ", " + std::to_string(high) + "]"
-                                        : " no larger than 1e50"));
+                                         : " no larger than 1e50"));
     return std::nullopt;
   }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -122,7 +123,7 @@ struct Builder {
 std::string listed(const std::vector<std::string>& errors) {
   std::string text;
   for (const std::string& error : errors) text += error + "\n";
-  return text + std::to_string(errors.size()) + (errors.size() == 1 ? " error" : " errors");
+  return text + counted_errors(errors.size());
 }
 
 }  // namespace

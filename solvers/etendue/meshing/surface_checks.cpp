@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -63,12 +64,6 @@ Box3 box_of(const Polygon& polygon) {
     box.high = box.high.cwiseMax(v);
   }
   return box;
-}
-
-std::string text(double value) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", value);
-  return digits;
 }
 
 bool inside(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
@@ -131,8 +126,7 @@ Result<Done> check_overlaps(const Scene& scene, const ElementMesh& mesh) {
              described(pair.how) + " object '" + printable(scene.objects[first].name) + "'\n";
   }
   if (reported.empty()) return Done{};
-  return Error{ErrorCode::invalid_input,
-               lines + std::to_string(reported.size()) + (reported.size() == 1 ? " error" : " errors")};
+  return Error{ErrorCode::invalid_input, lines + counted_errors(reported.size())};
 }
 
 std::string described(Overlap how) {
@@ -172,8 +166,8 @@ Result<FlatPolygon> flattened(std::vector<Vec3> vertices) {
     v -= height * normal;
   }
   if (moved > kFlatEnough * extent) {
-    return Error{ErrorCode::invalid_input, "is not flat: a vertex is " + text(moved) +
-                                               " off its plane, expected at most " + text(kFlatEnough * extent) +
+    return Error{ErrorCode::invalid_input, "is not flat: a vertex is " + rounded(moved, 3) +
+                                               " off its plane, expected at most " + rounded(kFlatEnough * extent, 3) +
                                                " (3e-5 of its extent)"};
   }
   made = Polygon::make(std::move(vertices));

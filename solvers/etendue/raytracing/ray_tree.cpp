@@ -8,6 +8,7 @@
 #include "etendue/geometry/spawn.hpp"
 #include "etendue/optics/reflect.hpp"
 #include "etendue/optics/refract.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -91,12 +92,6 @@ std::string fate(const RayNode& node, const Scene& scene) {
   return "unknown";
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 }  // namespace
 
 RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimits& limits) {
@@ -127,8 +122,8 @@ std::string to_text(const RayTree& tree, const Scene& scene) {
   std::string text;
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const RayNode& node = tree.nodes[i];
-    text += std::string(2 * static_cast<std::size_t>(node.level), ' ') + names[i] + " weight " + number(node.weight) +
-            " " + fate(node, scene) + "\n";
+    text += std::string(2 * static_cast<std::size_t>(node.level), ' ') + names[i] + " weight " +
+            rounded(node.weight, 6) + " " + fate(node, scene) + "\n";
   }
   return text;
 }
