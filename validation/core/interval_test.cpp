@@ -10,6 +10,7 @@
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
 #include "oracles/exact_reals.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
@@ -18,17 +19,11 @@ namespace {
 constexpr std::uint64_t kSeed = 20261122;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// splitmix64: the n-th number is a function of seed and n.
 class Operands {
  public:
-  explicit Operands(std::uint64_t seed) : state_(seed) {}
+  explicit Operands(std::uint64_t seed) : random_(seed) {}
 
-  std::uint64_t bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t bits() { return random_.next(); }
 
   /// Eight families: any finite bits, subnormals, near the overflow, of order one (three times), small whole numbers,
   /// few bits; either sign.
@@ -86,7 +81,7 @@ class Operands {
   }
 
  private:
-  std::uint64_t state_;
+  CounterRandom random_;
 };
 
 /// Counts the bounds that are on the wrong side of the exact result.

@@ -162,17 +162,6 @@ TEST(CertifiedObstruction, CountsCommonShadowsOnce) {
   EXPECT_TRUE(within(0.5 * f.factor.width(), kAsked * f.factor.middle()));
 }
 
-/// Whether the segment between two points crosses a convex polygon: signs of volumes, no division.
-bool crosses(const Vec3& p, const Vec3& q, const std::vector<Vec3>& v) {
-  const Vec3 normal = (v[1] - v[0]).cross(v[2] - v[0]);
-  if (normal.dot(p - v[0]) * normal.dot(q - v[0]) >= 0) return false;
-  const double side = normal.dot(q - p) > 0 ? 1 : -1;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    if (side * (v[i] - p).cross(v[(i + 1) % v.size()] - p).dot(q - p) < 0) return false;
-  }
-  return true;
-}
-
 // CLAIM      IU.6-4: past three leaning blockers, two that share an edge and two that pierce one another, the enclosure
 //            holds what rays find.
 // ORACLE     statistics: 50 625 stratified point pairs, seed fixed.
@@ -181,27 +170,12 @@ TEST(CertifiedObstruction, HoldsWhatRaysFind) {
   proves({"IU.6-4"}, Oracle::statistics, "50 625 stratified point pairs, 5 standard errors, three scenes");
   uses_seed(kSeed + 2);
   const std::vector<std::vector<Polygon>> scenes{
-      {rectangle({0.2, 0.1, 0.3}, {0.4, 0, 0.1}, {0, 0.5, 0.05}),
-       rectangle({0.6, 0.4, 0.6}, {0.5, 0.1, 0}, {-0.1, 0.4, 0.1}),
-       rectangle({0.5, 0.2, 0.7}, {0, 0.6, 0}, {0, 0, 0.3})},
+      leaning_blockers(),
       {rectangle({0.3, 0.3, 0.4}, {0.4, 0, 0}, {0, 0.4, 0}), rectangle({0.3, 0.3, 0.4}, {0.4, 0, 0}, {0, 0, 0.3})},
       {rectangle({0.2, 0.2, 0.5}, {0.6, 0, 0}, {0, 0.6, 0.1}), rectangle({0.5, 0.1, 0.2}, {0, 0.7, 0}, {0, 0, 0.6})}};
   std::mt19937_64 random(kSeed + 2);
   for (const auto& blockers : scenes) {
-    constexpr int kSide = 15, kStrata = kSide * kSide * kSide * kSide;
-    double sum = 0, squares = 0;
-    for (int s = 0; s < kStrata; ++s) {
-      const auto cell = [&](int divisor) { return (s / divisor % kSide + unit(random)) / kSide; };
-      const double px = cell(1), py = cell(kSide), qx = cell(kSide * kSide), qy = cell(kSide * kSide * kSide);
-      const Vec3 p(px, py, 0), q(qx, qy, 1);
-      bool hidden = false;
-      for (const Polygon& b : blockers) hidden = hidden || crosses(p, q, b.vertices());
-      const double square = (q - p).squaredNorm();
-      const double term = hidden ? 0 : 1 / (std::numbers::pi * square * square);
-      sum += term;
-      squares += term * term;
-    }
-    const double mean = sum / kStrata, error = std::sqrt((squares / kStrata - mean * mean) / kStrata);
+    const auto [mean, error] = between_unit_squares(blockers, 15, [&] { return unit(random); });
     const auto f = certified_form_factor(kFloor, kCeiling, blockers, to_relative(1e-2, 100'000));
     EXPECT_TRUE(holds(f.factor.lower <= mean + 5 * error && mean - 5 * error <= f.factor.upper))
         << mean << " in [" << f.factor.lower << ", " << f.factor.upper << "]";

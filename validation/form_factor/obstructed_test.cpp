@@ -93,17 +93,6 @@ TEST(ObstructedFormFactor, AddsUpOverTheTwoPartsOfAScreen) {
   EXPECT_TRUE(within(exceeded, 0)) << "worst " << worst;
 }
 
-/// Whether the segment between two points crosses a convex polygon: signs of volumes, no division.
-bool crosses(const Vec3& p, const Vec3& q, const std::vector<Vec3>& v) {
-  const Vec3 normal = (v[1] - v[0]).cross(v[2] - v[0]);
-  if (normal.dot(p - v[0]) * normal.dot(q - v[0]) >= 0) return false;
-  const double side = normal.dot(q - p) > 0 ? 1 : -1;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    if (side * (v[i] - p).cross(v[(i + 1) % v.size()] - p).dot(q - p) < 0) return false;
-  }
-  return true;
-}
-
 // CLAIM      IU.6-4: three leaning blockers, one of them touching the receiver: the factor is what rays between the two
 //            polygons find.
 // ORACLE     statistics: 38 416 stratified point pairs, seed fixed; unbiased for any blockers.
@@ -111,27 +100,10 @@ bool crosses(const Vec3& p, const Vec3& q, const std::vector<Vec3>& v) {
 //            15 000 seeds; a wrong one by 3 % of F is seen.
 TEST(ObstructedFormFactor, IsWhatRaysFind) {
   proves({"IU.6-4"}, Oracle::statistics, "38 416 stratified point pairs, 4 standard errors");
-  const std::vector<Polygon> blockers{rectangle({0.2, 0.1, 0.3}, {0.4, 0, 0.1}, {0, 0.5, 0.05}),
-                                      rectangle({0.6, 0.4, 0.6}, {0.5, 0.1, 0}, {-0.1, 0.4, 0.1}),
-                                      rectangle({0.5, 0.2, 0.7}, {0, 0.6, 0}, {0, 0, 0.3})};
+  const std::vector<Polygon> blockers = leaning_blockers();
   const Bounded f = obstructed_form_factor(kFloor, kCeiling, blockers, {1e-5, 0});
   std::mt19937_64 random(7);
-  double sum = 0, squares = 0;
-  constexpr int kSide = 14;
-  constexpr int kStrata = kSide * kSide * kSide * kSide;
-  for (int s = 0; s < kStrata; ++s) {
-    const auto cell = [&](int divisor) { return (s / divisor % kSide + unit(random)) / kSide; };
-    const double px = cell(1), py = cell(kSide), qx = cell(kSide * kSide), qy = cell(kSide * kSide * kSide);
-    const Vec3 p(px, py, 0), q(qx, qy, 1);
-    bool hidden = false;
-    for (const Polygon& b : blockers) hidden = hidden || crosses(p, q, b.vertices());
-    const double square = (q - p).squaredNorm();
-    const double term = hidden ? 0 : 1 / (std::numbers::pi * square * square);
-    sum += term;
-    squares += term * term;
-  }
-  const double mean = sum / kStrata;
-  const double error = std::sqrt((squares / kStrata - mean * mean) / kStrata);
+  const auto [mean, error] = between_unit_squares(blockers, 14, [&] { return unit(random); });
   EXPECT_TRUE(near(f.value, mean, 4 * error + f.bound));
   EXPECT_TRUE(within(error, 0.0075 * mean)) << "the test would see little";
 }

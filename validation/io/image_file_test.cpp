@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/counter_random.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "io/counter_random.hpp"
 #include "io/example_scene.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {

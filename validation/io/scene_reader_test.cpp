@@ -12,8 +12,8 @@
 
 #include "etendue/io/placement.hpp"
 #include "etendue/io/scene_keys.hpp"
-#include "io/counter_random.hpp"
 #include "io/example_scene.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {

@@ -7,9 +7,9 @@
 
 #include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
-#include "io/counter_random.hpp"
 #include "io/surface_texts.hpp"
 #include "meshing/small_scenes.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "support/counter_random.hpp"
+
 namespace etendue::oracle {
 
 namespace {
@@ -335,13 +337,6 @@ class Slices {
   long evaluations_ = 0;
 };
 
-std::uint64_t scrambled(std::uint64_t x) {  // splitmix64
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
 bool stops(const Corners& plate, const Point& p, const Point& q) {
   const Point n = newell(plate), d = sub(q, p);
   const double hp = dot(n, sub(p, plate[0])), hq = dot(n, sub(q, plate[0]));
@@ -386,8 +381,8 @@ Estimate obstructed_exchange_by_points(const ObstructedPair& pair, int side, std
     long rest = s;
     std::array<double, 4> u{};
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::uint64_t bits = scrambled(seed * 0x2545f4914f6cdd1du + static_cast<std::uint64_t>(4 * s) + k);
-      u[k] = (static_cast<double>(rest % side) + static_cast<double>(bits >> 11) * 0x1p-53) / side;
+      validation::CounterRandom random(seed * 0x2545f4914f6cdd1du + static_cast<std::uint64_t>(4 * s) + k);
+      u[k] = (static_cast<double>(rest % side) + random.unit()) / side;
       rest /= side;
     }
     const Point p = point_in(pair.from, u[0], u[1]), q = point_in(pair.to, u[2], u[3]);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "support/counter_random.hpp"
+
 namespace etendue::oracle {
 
 namespace {
@@ -12,19 +14,13 @@ namespace {
 /// Counter-based: the k-th number of a pair depends on nothing else.
 class Numbers {
  public:
-  explicit Numbers(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u) {}
-  double unit() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t x = state_;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
-  }
-  double in(double low, double high) { return low + (high - low) * unit(); }
+  explicit Numbers(std::uint64_t seed) : random_(seed * 0x9e3779b97f4a7c15u) {}
+  double unit() { return random_.unit(); }
+  double in(double low, double high) { return random_.between(low, high); }
   Point vector(double reach) { return {in(-reach, reach), in(-reach, reach), in(-reach, reach)}; }
 
  private:
-  std::uint64_t state_;
+  validation::CounterRandom random_;
 };
 
 Point sum(const Point& a, const Point& b, double t = 1) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/counter_random.hpp"
+
 // Ten families of pairs of planar regions, made again from counter-based random numbers wherever they are needed: the
 // reference file holds only their form factors. + − · / and square roots alone: the same bits with every compiler.
 namespace etendue::validation::pairs {
@@ -27,22 +29,15 @@ struct Pair {
   bool exact_frame = false;  ///< every coordinate is exact: what was meant to lie in a plane does
 };
 
-/// SplitMix64 from a counter that the pair's number sets.
+/// Numbers from a counter that the pair's number sets.
 class Random {
  public:
-  Random(std::size_t family, std::size_t index) : state_(kSeed + (family << 40) + (index << 16)) { next(); }
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1p-53); }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() >> 33) % n; }
+  Random(std::size_t family, std::size_t index) : bits_(kSeed + (family << 40) + (index << 16)) { bits_.next(); }
+  double between(double low, double high) { return bits_.between(low, high); }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(bits_.next() >> 33) % n; }
 
  private:
-  std::uint64_t next() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t state_;
+  CounterRandom bits_;
 };
 
 /// On a dyadic grid, so that the integer frames below keep it exact.

@@ -12,27 +12,13 @@
 #include <vector>
 
 #include "oracles/pair_form_factor.hpp"
+#include "support/counter_random.hpp"
 
 namespace {
 
 using etendue::oracle::Point;
 using Loop = std::vector<Point>;
-
-/// SplitMix64: the same numbers with every compiler.
-class Random {
- public:
-  double unit() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-  double between(double low, double high) { return low + (high - low) * unit(); }
-
- private:
-  std::uint64_t state_ = 20240229;
-};
+using Random = etendue::validation::CounterRandom;
 
 /// A rotation from a random quaternion, then a shift and a scale.
 struct Frame {

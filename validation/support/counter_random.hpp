@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace etendue::validation {
@@ -15,6 +16,11 @@ class CounterRandom {
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
+  /// In [0, 1), with 53 bits.
+  double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+  double between(double low, double high) { return low + (high - low) * unit(); }
+  /// Evenly in the logarithm.
+  double scale(double low, double high) { return low * std::exp(unit() * std::log(high / low)); }
   /// In [0, bound); the bias of the remainder is of no matter for choosing mutations.
   std::uint64_t below(std::uint64_t bound) { return next() % bound; }
 

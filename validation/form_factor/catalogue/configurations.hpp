@@ -2,36 +2,18 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
 #include "etendue/form_factor/catalogue/catalogue.hpp"
+#include "support/counter_random.hpp"
 
 namespace etendue::validation {
 
-/// SplitMix64: the same numbers with every compiler.
-class CatalogueRandom {
- public:
-  explicit CatalogueRandom(std::uint64_t seed) : state_(seed) {}
-  double unit() {
-    state_ += 0x9e3779b97f4a7c15u;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-  }
-  /// Evenly in the logarithm.
-  double scale(double low, double high) { return low * std::exp(unit() * std::log(high / low)); }
-
- private:
-  std::uint64_t state_;
-};
-
 /// Parameters whose lengths differ by at most `spread`, within the entry's domain; angles keep `margin` of their range
 /// from both ends.
-inline std::vector<double> random_parameters(const catalogue::Entry& entry, CatalogueRandom& random, double spread,
+inline std::vector<double> random_parameters(const catalogue::Entry& entry, CounterRandom& random, double spread,
                                              double margin) {
   for (;;) {
     std::vector<double> values;
