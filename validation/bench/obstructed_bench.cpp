@@ -17,10 +17,6 @@ using etendue::ElementMesh;
 using etendue::Polygon;
 using etendue::Vec3;
 
-Polygon rectangle(const Vec3& o, const Vec3& a, const Vec3& b) {
-  return Polygon::make({o, o + a, o + a + b, o + b}).value();
-}
-
 /// A box seen from outside or, as a room, from inside, each face cut n × n.
 void add_box(ElementMesh& mesh, const Vec3& low, const Vec3& size, int n, bool inside) {
   const Vec3 x(size.x(), 0, 0), y(0, size.y(), 0), z(0, 0, size.z()), o = low, e = low + size;
