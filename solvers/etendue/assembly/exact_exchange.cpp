@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "etendue/core/rounding.hpp"
-#include "etendue/form_factor/polygon_polygon.hpp"
 
 namespace etendue {
 
@@ -35,12 +34,9 @@ struct Pair {
 
   /// F_ij ≤ the unobstructed factor ≤ min(1, A_j/A_i) holds for the truth. A value held there is off by no more than
   /// before, or by no more than the limit is.
-  Bounded held(Bounded value, TileReport& report) const {
+  Bounded held(Bounded value, const Bounded& unobstructed, TileReport& report) const {
     Bounded most{std::min(elements.first.area(), elements.second.area()), 0};
-    if (!elements.blockers.empty()) {
-      const Bounded unobstructed = exchange(form_factor(elements.first, elements.second, asked(tolerance.free)));
-      if (unobstructed.value < most.value) most = unobstructed;
-    }
+    if (unobstructed.value < most.value) most = unobstructed;
     if (value.value > most.value) {
       ++report.clamped;
       value = {most.value, std::max(value.bound, most.bound)};
@@ -56,7 +52,7 @@ struct Pair {
       if (!found.agree) ++report.disagreements;
       report.defect = std::max(report.defect, found.difference);
     }
-    return held(exchange(found.factor), report);
+    return held(exchange(found.factor), exchange(found.free), report);
   }
 };
 

@@ -36,10 +36,19 @@ std::vector<Polygon> quartered(const std::vector<Polygon>& polygons) {
   return parts;
 }
 
-Bounded factor(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
+// One side of a pair.
+struct Side {
+  Bounded factor, free;
+};
+
+Side seen_from(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
                const AssemblyTolerance& tolerance) {
-  return blockers.empty() ? form_factor(from, to, tolerance.free)
-                          : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
+  if (blockers.empty()) {
+    const Bounded free = form_factor(from, to, tolerance.free);
+    return {free, free};
+  }
+  const ObstructedFormFactor found = obstructed_form_factor(from, to, blockers, tolerance.obstructed);
+  return {found, found.free};
 }
 
 // The mean over the parts of the source, weighted by area.
@@ -48,7 +57,7 @@ Bounded mean_factor(const std::vector<Polygon>& from, const Polygon& to, const s
   double area = 0;
   Bounded sum;
   for (const Polygon& part : from) {
-    const Bounded one = factor(part, to, blockers, tolerance);
+    const Bounded one = seen_from(part, to, blockers, tolerance).factor;
     area += part.area();
     sum.value += part.area() * one.value;
     sum.bound += part.area() * one.bound;
@@ -80,15 +89,19 @@ Comparison compared(const Bounded& there, Bounded back, double ratio, const Tole
 }  // namespace
 
 PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+  const Side side = seen_from(pair.first, pair.second, pair.blockers, tolerance);
   PairFactor result;
-  result.factor = factor(pair.first, pair.second, pair.blockers, tolerance);
+  result.factor = side.factor;
+  result.free = side.free;
   return result;
 }
 
 PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
   const double ratio = pair.first.area() / pair.second.area();
-  Comparison result = compared(factor(pair.first, pair.second, pair.blockers, tolerance),
-                               factor(pair.second, pair.first, pair.blockers, tolerance), ratio, tolerance.obstructed);
+  const Side there = seen_from(pair.first, pair.second, pair.blockers, tolerance);
+  const Side back = seen_from(pair.second, pair.first, pair.blockers, tolerance);
+  Comparison result = compared(there.factor, back.factor, ratio, tolerance.obstructed);
+  result.pair.free = there.free;
   if (pair.blockers.empty()) return result.pair;
   // Of parts half the error is asked: their sum may err by the relative and by the absolute share.
   AssemblyTolerance of_parts = tolerance;
@@ -100,6 +113,7 @@ PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& to
     result = compared(mean_factor(first, pair.second, pair.blockers, of_parts),
                       mean_factor(second, pair.first, pair.blockers, of_parts), ratio, tolerance.obstructed);
     result.pair.quarterings = k;
+    result.pair.free = there.free;
   }
   return result.pair;
 }

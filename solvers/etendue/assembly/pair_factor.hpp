@@ -32,6 +32,7 @@ struct ElementPair {
 /// A form factor, and what is known of it from the other side.
 struct PairFactor {
   Bounded factor;         ///< F_12, and a bound on |F_12 − exact|; F_21 is A_1 F_12 / A_2
+  Bounded free;           ///< F_12 without the blockers
   bool checked = false;   ///< computed from both sides?
   bool agree = true;      ///< do the two differ by no more than their bounds?
   int quarterings = 0;    ///< after how many they did
