@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/form_factor/factor_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
+#include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/difference_rule.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
+#include "oracles/pair_form_factor.hpp"
 #include "reference/pair_families.hpp"
 #include "support/evidence.hpp"
 
@@ -36,6 +41,46 @@ std::vector<std::uint32_t> all_columns(const FactorRows& rows) {
   std::vector<std::uint32_t> columns(rows.size());
   std::iota(columns.begin(), columns.end(), 0u);
   return columns;
+}
+
+using PolygonPair = std::pair<Polygon, Polygon>;
+
+std::vector<Vec3> moved(const std::vector<Vec3>& vertices, int frame) {
+  std::vector<Vec3> result;
+  for (const Vec3& v : vertices) {
+    if (frame == 0) result.push_back(v);
+    if (frame == 1) result.push_back(tilted(v));
+    if (frame == 2) result.push_back(tilted(v) + Vec3(2000, -1000, 500));  // coordinates are rounded to 2^-42
+  }
+  return result;
+}
+
+/// Rectangles with edges along one frame: perpendicular ones, or opposite ones, from touching planes to far away, of equal
+/// lengths or not, first corner and order of edges by chance. Every frame but the first rounds the corners.
+std::vector<PolygonPair> aligned(std::size_t count, std::size_t family, int frame) {
+  pairs::Random random(family, count);
+  std::vector<PolygonPair> result;
+  while (result.size() < count) {
+    const bool opposite = random.below(2) == 0, equal = random.below(3) != 0;
+    const auto length = [&] { return random.between(0.2, 1); };
+    const double a = length(), b = length(), c = equal ? a : length(), d = opposite && equal ? b : length();
+    const double near = random.below(4) == 0 ? 0.0 : random.between(0.05, 1);
+    const double distance = near * std::ldexp(1.0, static_cast<int>(random.below(8)));
+    const double x = random.between(-1, 1) * (0.5 + distance), y = random.between(-1, 1) * (0.5 + distance);
+    const double up = random.below(3) == 0 ? 0.0 : random.between(0, 1 + distance);
+    std::vector<Vec3> from{{0, 0, 0}, {a, 0, 0}, {a, b, 0}, {0, b, 0}}, to;
+    if (opposite) {
+      const double z = 0.1 + distance;
+      to = {{x, y, z}, {x, y + d, z}, {x + c, y + d, z}, {x + c, y, z}};
+    } else {  // at x' = b + distance, looking back
+      const double z = b + distance;
+      to = {{x, z, up}, {x + c, z, up}, {x + c, z, up + d}, {x, z, up + d}};
+    }
+    std::rotate(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(random.below(4)), from.end());
+    std::rotate(to.begin(), to.begin() + static_cast<std::ptrdiff_t>(random.below(4)), to.end());
+    result.emplace_back(polygon(moved(from, frame)), polygon(moved(to, frame)));
+  }
+  return result;
 }
 
 // CLAIM      IU.6-3: the rows hold what the contour finds, within their bounds, and reach the tolerance.
@@ -72,7 +117,11 @@ TEST(FactorRows, HoldWhatSinglePairsGive) {
 // TOLERANCE  none: bitwise equal.
 TEST(FactorRows, HaveTheSameBitsWithEveryInstructionSet) {
   proves({"IU.6-3"}, Oracle::metamorphic, "portable against widest instructions, bitwise");
-  const std::vector<Polygon> polygons = scattered(120, 8, 21);
+  std::vector<Polygon> polygons = scattered(120, 8, 21);
+  for (const auto& [from, to] : aligned(60, 28, 1)) {
+    polygons.push_back(from);
+    polygons.push_back(to);
+  }
   const FactorRows wide(polygons), portable(polygons, Instructions::portable);
   const std::vector<std::uint32_t> columns = all_columns(wide);
   std::vector<Bounded> a(columns.size()), b(columns.size());
@@ -129,6 +178,148 @@ TEST(FactorRows, CloseAnEmptyRoom) {
       EXPECT_TRUE(within(bound, kAsked)) << i;
     }
   }
+}
+
+// CLAIM      The rule for differences is exact for monomials below w^(2n), and errs by difference_remainder(n) on w^(2n).
+// ORACLE     exact: ∫ (2 − |w|) w^(2k) dw = 2^(2k+3)/((2k + 1)(2k + 2)), a quotient of integers; odd ones cancel.
+// TOLERANCE  nodes and weights within one unit in the last place: (2k + 1) roundings of a power's terms, one of the weight,
+//            n of the sum; the remainder within as much of the moment that it is the rest of.
+TEST(DifferenceRule, IsExactToItsDegreeAndErrsByItsRemainder) {
+  proves({}, Oracle::exact, "moments of the density of a difference, as quotients of integers");
+  for (int n = 1; n <= kMostDifferenceNodes; ++n) {
+    for (int k = 0; k <= n; ++k) {
+      long double even = 0, odd = 0;
+      for (const QuadratureNode& node : gauss_difference(n)) {
+        long double power = node.weight;
+        for (int i = 0; i < 2 * k; ++i) power *= node.x;
+        even += power;
+        odd += power * node.x;
+      }
+      const long double moment = std::ldexp(1.0L, 2 * k + 3) / ((2 * k + 1.0L) * (2 * k + 2.0L));
+      const double allowed = 2 * (2 * k + n + 2) * kUnitRoundoff * static_cast<double>(moment);
+      EXPECT_TRUE(near(static_cast<double>(odd), 0, 2 * allowed)) << n << ' ' << k;
+      if (k < n) {
+        EXPECT_TRUE(within(static_cast<double>(std::abs(even - moment)), allowed)) << n << ' ' << k;
+      } else {
+        EXPECT_TRUE(near(difference_remainder(n), static_cast<double>(moment - even), allowed)) << n;
+      }
+    }
+  }
+}
+
+// CLAIM      IU.6-3: pairs of rectangles in one frame keep their bounds, perpendicular and opposite, near and far, of equal
+//            and of unequal lengths; in a frame that rounds the corners too, and where it rounds them roughly.
+// ORACLE     form_factor() of boundaries, which knows no rule for aligned pairs, at 1e-12; below, balls.
+// TOLERANCE  the two returned bounds; the bound itself: what was asked of the value.
+TEST(FactorRows, HoldTheirBoundsForAlignedPairs) {
+  proves({"IU.6-3"}, Oracle::program, "form_factor() of boundaries at 1e-12, 900 pairs aligned in three frames");
+  uses_seed(pairs::kSeed);
+  constexpr std::size_t kFamily = 23;
+  for (int frame = 0; frame < 3; ++frame) {
+    for (const auto& [from, to] : aligned(300, kFamily, frame)) {
+      const Bounded truth = form_factor(Boundary{from.vertices()}, Boundary{to.vertices()}, {1e-12, 0});
+      const FactorRows rows({from, to});
+      const std::vector<std::uint32_t> one{1};
+      for (const double asked : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        std::vector<Bounded> found(1);
+        rows.row(0, one, {asked, 0}, found);
+        ASSERT_TRUE(near(found[0].value, truth.value, found[0].bound + truth.bound)) << frame;
+        ASSERT_TRUE(within(found[0].bound, asked * found[0].value + truth.bound)) << frame;
+      }
+    }
+  }
+}
+
+// CLAIM      IU.6-3: the same at the tightest tolerance, and at a loose one, against proved truth.
+// ORACLE     closed form in balls: the contour at 600 bits, of the very corners (oracles/pair_form_factor.hpp).
+// TOLERANCE  the returned bound, and one rounding of the truth.
+TEST(FactorRows, HoldTheirBoundsForAlignedPairsAgainstBalls) {
+  proves({"IU.6-3"}, Oracle::closed_form, "the contour at 600 bits, 40 pairs aligned in exact coordinates");
+  constexpr double kPlanarity = 0;
+  const auto points = [](const Polygon& p) {
+    std::vector<oracle::Point> result;
+    for (const Vec3& v : p.vertices()) result.push_back({v.x(), v.y(), v.z()});
+    return result;
+  };
+  for (const auto& [from, to] : aligned(40, 24, 0)) {
+    const double truth = oracle::pair_form_factor(points(from), points(to), kPlanarity).factor;
+    const FactorRows rows({from, to});
+    const std::vector<std::uint32_t> one{1};
+    for (const double asked : {1e-4, 1e-8, 1e-12}) {
+      std::vector<Bounded> found(1);
+      rows.row(0, one, {asked, 0}, found);
+      ASSERT_TRUE(near(found[0].value, truth, found[0].bound + kUnitRoundoff * truth));
+    }
+  }
+}
+
+// CLAIM      A pair's factor has the same bits whatever is asked beside it, in whatever order, and alone; and after
+//            scaling by a power of two.
+// ORACLE     metamorphic: single calls, the reverse order, form_factor(); coordinates times 2^±20.
+// TOLERANCE  none: bitwise equal.
+TEST(FactorRows, DependOnNothingButThePair) {
+  proves({"IU.6-3"}, Oracle::metamorphic, "order, company and scale by powers of two, bitwise");
+  std::vector<Polygon> polygons = scattered(40, 6, 25);
+  for (const auto& [from, to] : aligned(30, 26, 1)) {
+    polygons.push_back(from);
+    polygons.push_back(to);
+  }
+  const Tolerance asked{1e-7, 0};
+  std::vector<IndexPair> forth;
+  for (std::uint32_t i = 0; i < polygons.size(); i += 3) {
+    for (std::uint32_t j = i % 2; j < polygons.size(); j += 2) {
+      if (i != j) forth.push_back({i, j});
+    }
+  }
+  const std::vector<IndexPair> back(forth.rbegin(), forth.rend());
+  const auto all = [&](const std::vector<Polygon>& set, const std::vector<IndexPair>& pairs) {
+    std::vector<Bounded> found(pairs.size());
+    FactorRows(set).pairs(pairs, asked, AbsoluteError::of_this, found);
+    return found;
+  };
+  const std::vector<Bounded> one = all(polygons, forth), other = all(polygons, back);
+  std::uint64_t mismatches = 0, decisions = 0;
+  const auto compare = [&](const Bounded& a, const Bounded& b) {
+    mismatches += a.value != b.value || a.bound != b.bound;
+    ++decisions;
+  };
+  for (std::size_t k = 0; k < forth.size(); ++k) {
+    compare(one[k], other[forth.size() - 1 - k]);
+    compare(one[k], form_factor(polygons[forth[k].from], polygons[forth[k].to], asked));
+  }
+  for (const double scale : {0x1p-20, 0x1p20}) {
+    std::vector<Polygon> scaled;
+    for (const Polygon& p : polygons) {
+      std::vector<Vec3> vertices = p.vertices();
+      for (Vec3& v : vertices) v *= scale;
+      scaled.push_back(polygon(vertices));
+    }
+    const std::vector<Bounded> found = all(scaled, forth);
+    for (std::size_t k = 0; k < forth.size(); ++k) compare(one[k], found[k]);
+  }
+  EXPECT_TRUE(all_agree(mismatches, decisions));
+}
+
+// CLAIM      Asked of both factors, the absolute error holds for the one back as well: it is the smaller surface's.
+// ORACLE     exact: the bound times A_1 against the tolerance times the smaller area.
+// TOLERANCE  none: decisions; some pairs must need it.
+TEST(FactorRows, KeepTheAbsoluteErrorOfBothFactors) {
+  proves({"IU.6-5"}, Oracle::exact, "bounds of exchange areas against the smaller area");
+  const Tolerance asked{0, 1e-5};
+  std::uint64_t wrong = 0, decisions = 0, needed = 0;
+  for (const auto& [from, to] : aligned(200, 27, 1)) {
+    const FactorRows rows({from, to});
+    const std::vector<IndexPair> pair{{0, 1}};
+    std::vector<Bounded> both(1), one(1);
+    rows.pairs(pair, asked, AbsoluteError::of_both, both);
+    rows.pairs(pair, asked, AbsoluteError::of_this, one);
+    const double most = asked.absolute * std::min(from.area(), to.area()) * (1 + 0x1p-50);
+    wrong += both[0].bound * from.area() > most || one[0].bound > asked.absolute;
+    needed += one[0].bound * from.area() > most;
+    ++decisions;
+  }
+  EXPECT_TRUE(all_agree(wrong, decisions));
+  EXPECT_GT(needed, 3u);
 }
 
 // CLAIM      IU.6-3: rows refuse tolerances below zero, indices out of range and spans that do not fit.

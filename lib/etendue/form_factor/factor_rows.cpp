@@ -5,16 +5,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
-#include "etendue/form_factor/gauss_legendre.hpp"
+#include "etendue/form_factor/aligned_pairs.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "etendue/form_factor/product_rule.hpp"
-#include "etendue/form_factor/sharp_plane.hpp"
 
 namespace etendue {
 
@@ -84,65 +83,6 @@ struct Plan {
   double bound = 0;
 };
 
-Parallelogram parallelogram(const Polygon& polygon, std::uint32_t plane) {
-  const auto& v = polygon.vertices();
-  Parallelogram patch{};
-  patch.corner = v[0];
-  patch.normal = polygon.normal();
-  patch.area = polygon.area();
-  patch.plane = plane;
-  if (v.size() != 4) return patch;
-  const Vec3 first = 0.5 * (v[1] - v[0]), second = 0.5 * (v[3] - v[0]);
-  patch.half[0] = first;
-  patch.half[1] = second;
-  patch.centre = first + second;
-  patch.length[0] = first.norm();
-  patch.length[1] = second.norm();
-  patch.radius = std::max((first + second).norm(), (first - second).norm());
-  // What the fourth corner misses moves the outline, and the plane; differences and the normal err by a few roundings.
-  constexpr double kDifferences = 8;
-  const double off = (v[2] - v[1] - 2 * second).norm() + kDifferences * kUnitRoundoff * patch.radius;
-  patch.flatness = off;
-  patch.shape = 4 * off * (patch.length[0] + patch.length[1]) / patch.area +
-                kDifferences * kUnitRoundoff * patch.length[0] * patch.length[1] / patch.area;
-  constexpr double kRounded = 0x1p-40;  // more than rounding: no parallelogram
-  patch.valid = off <= kRounded * std::min(patch.length[0], patch.length[1]);
-  return patch;
-}
-
-/// Numbers of planes: the same for all that lie exactly in one and turn the same way.
-std::vector<std::uint32_t> planes_of(const std::vector<Polygon>& polygons) {
-  struct Group {
-    SharpPlane plane;
-    double scale;
-    std::uint32_t number;
-  };
-  std::map<std::array<long, 3>, std::vector<Group>> groups;
-  std::uint32_t count = 0;
-  std::vector<std::uint32_t> planes;
-  for (const Polygon& polygon : polygons) {
-    const auto& v = polygon.vertices();
-    double size = 0;
-    for (const Vec3& p : v) size = std::max(size, p.cwiseAbs().maxCoeff());
-    const double scale = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-    SharpPlane own(localised(v, Vec3::Zero(), scale));
-    // Candidates by a rounded normal: a near miss costs time, no more.
-    constexpr double kDirections = 1 << 16;
-    const Vec3& n = polygon.normal();
-    auto& candidates =
-        groups[{std::lround(kDirections * n.x()), std::lround(kDirections * n.y()), std::lround(kDirections * n.z())}];
-    const auto in_plane = [&](const Group& group) {
-      return std::all_of(v.begin(), v.end(), [&](const Vec3& p) { return group.plane.height(group.scale * p) == 0; });
-    };
-    constexpr std::size_t kMostCandidates = 64;
-    const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(candidates.size(), kMostCandidates));
-    const auto found = own.flatness() == 0 ? std::find_if(candidates.begin(), end, in_plane) : end;
-    planes.push_back(found != end ? found->number : count);
-    if (found == end) candidates.push_back({std::move(own), scale, count++});
-  }
-  return planes;
-}
-
 Plan plan_of(const Parallelogram& from, const Parallelogram& to, const Tolerance& tolerance) {
   Plan result;
   if (from.plane == to.plane) {
@@ -210,6 +150,15 @@ Plan plan_of(const Parallelogram& from, const Parallelogram& to, const Tolerance
   return result;
 }
 
+int nodes_of(std::uint32_t key, int direction) {
+  return kLeastNodes + static_cast<int>(key >> (3 * direction) & 7);
+}
+
+void set_lane(ProductRule& rule, std::size_t lane, const Parallelogram& from, const Parallelogram& to) {
+  rule.set_lane(lane, from.normal, (to.corner - from.corner) + (to.centre - from.centre), to.half[0], to.half[1],
+                to.normal);
+}
+
 }  // namespace
 
 FactorRows::FactorRows(std::vector<Polygon> polygons, Instructions instructions)
@@ -219,71 +168,214 @@ FactorRows::FactorRows(std::vector<Polygon> polygons, Instructions instructions)
   for (std::size_t i = 0; i < polygons_.size(); ++i) patches_.push_back(parallelogram(polygons_[i], planes[i]));
 }
 
-void FactorRows::row(std::size_t from, std::span<const std::uint32_t> columns, Tolerance tolerance,
-                     std::span<Bounded> factors) const {
-  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "FactorRows: tolerances are not negative");
-  require(from < size() && factors.size() == columns.size(), "FactorRows: indices and spans fit");
-  constexpr std::size_t kKeys = 1u << 12;
-  const Parallelogram& source = patches_[from];
-  std::array<std::uint32_t, kKeys + 1> first{};
-  std::vector<std::uint32_t> keys(columns.size(), kKeys), sorted(columns.size());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    require(columns[k] < size(), "FactorRows: columns are within the set");
-    const Plan chosen = plan_of(source, patches_[columns[k]], tolerance);
-    factors[k] = {0, chosen.bound};
-    if (chosen.kind == Plan::Kind::other) factors[k] = form_factor(polygons_[from], polygons_[columns[k]], tolerance);
-    if (chosen.kind != Plan::Kind::rule) continue;
-    keys[k] = chosen.key;
-    ++first[chosen.key + 1];
+namespace {
+
+bool reaches(const Bounded& factor, const Tolerance& tolerance) {
+  return factor.bound <= std::max(tolerance.absolute, tolerance.relative * factor.value);
+}
+
+/// Waits until eight pairs of one key are together.
+struct Bucket {
+  AlignedLanes lanes;
+  std::array<std::size_t, kLanes> pair{};
+  std::array<double, kLanes> bound{};
+  std::size_t filled = 0;
+
+  void take(const AlignedPlan& plan, std::size_t lane, std::size_t k) {
+    const auto copy = [&](Lanes& to, const Lanes& from) { to[filled] = from[lane]; };
+    copy(lanes.u, plan.lanes.u);
+    copy(lanes.v, plan.lanes.v);
+    copy(lanes.first, plan.lanes.first);
+    copy(lanes.second, plan.lanes.second);
+    copy(lanes.product, plan.lanes.product);
+    copy(lanes.factor, plan.lanes.factor);
+    for (std::size_t c = 0; c < 4; ++c) copy(lanes.squares[c], plan.lanes.squares[c]);
+    copy(bound, plan.bound);
+    pair[filled++] = k;
   }
-  for (std::size_t key = 0; key < kKeys; ++key) first[key + 1] += first[key];
-  std::array<std::uint32_t, kKeys> next;
-  std::copy(first.begin(), first.end() - 1, next.begin());
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    if (keys[k] < kKeys) sorted[next[keys[k]]++] = static_cast<std::uint32_t>(k);
+};
+
+}  // namespace
+
+/// One call of pairs(): aligned pairs are summed as they come, the rest waits for the product rule.
+class FactorRows::Call {
+ public:
+  Call(const FactorRows& rows, std::span<const IndexPair> pairs, const Tolerance& tolerance, AbsoluteError side,
+       std::span<Bounded> factors)
+      : rows_(rows), pairs_(pairs), tolerance_(tolerance), side_(side), factors_(factors) {
+    plan_.relative = tolerance.relative;
+    bucket_of_.fill(kNone);
+    from_set_.fill(kNone);
+    to_set_.fill(kNone);
   }
-  ProductRule rule;
-  for (std::size_t key = 0; key < kKeys; ++key) {
-    if (first[key] == first[key + 1]) continue;
-    const auto nodes = [&](int direction) { return kLeastNodes + static_cast<int>(key >> (3 * direction) & 7); };
-    rule.set_source(source.half[0], source.half[1], nodes(0), nodes(1));
-    for (std::size_t start = first[key]; start < first[key + 1]; start += kLanes) {
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t k = sorted[std::min<std::size_t>(start + lane, first[key + 1] - 1)];
-        const Parallelogram& to = patches_[columns[k]];
-        rule.set_lane(lane, source.normal, (to.corner - source.corner) + (to.centre - source.centre), to.half[0],
-                      to.half[1], to.normal);
+
+  void run() {
+    for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      const auto [from, to] = pairs_[k];
+      require(from < rows_.size() && to < rows_.size(), "FactorRows: indices are within the set");
+      factors_[k] = {0, 0};
+      if (rows_.patches_[from].plane == rows_.patches_[to].plane) continue;
+      if (from_set_[planned_] != from) plan_.from.set(planned_, rows_.patches_[from]);
+      if (to_set_[planned_] != to) plan_.to.set(planned_, rows_.patches_[to]);
+      from_set_[planned_] = from;
+      to_set_[planned_] = to;
+      plan_.absolute[planned_] = asked(k).absolute;
+      pair_[planned_++] = k;
+      if (planned_ == kLanes) plan();
+    }
+    plan();
+    for (Bucket& bucket : buckets_) sum(bucket, keys_[static_cast<std::size_t>(&bucket - buckets_.data())]);
+    product_rules();
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  Tolerance asked(std::size_t k) const {
+    if (side_ == AbsoluteError::of_this) return tolerance_;
+    const double ratio = rows_.patches_[pairs_[k].to].area / rows_.patches_[pairs_[k].from].area;
+    return {tolerance_.relative, tolerance_.absolute * std::min(1.0, ratio)};
+  }
+
+  void plan() {
+    if (planned_ == 0) return;
+    plan_.make(rows_.wide_);
+    for (std::size_t lane = 0; lane < planned_; ++lane) {
+      const std::uint32_t key = plan_.key[lane];
+      if (key == kNotAligned) {
+        others_.push_back(pair_[lane]);
+        continue;
       }
-      rule.sum(nodes(2), nodes(3), wide_);
-      for (std::size_t lane = 0; lane < kLanes && start + lane < first[key + 1]; ++lane) {
-        const std::size_t k = sorted[start + lane];
-        const double value = rule.total[lane] * (patches_[columns[k]].area / (16 * kPi));
-        if (factors[k].bound > std::max(tolerance.absolute, tolerance.relative * value)) {
-          factors[k] = form_factor(polygons_[from], polygons_[columns[k]], tolerance);  // guessed too large
-        } else {
-          factors[k].value = std::clamp(value, 0.0, 1.0);
-        }
+      if (bucket_of_[key] == kNone) {
+        bucket_of_[key] = static_cast<std::uint32_t>(buckets_.size());
+        buckets_.emplace_back();
+        keys_.push_back(key);
       }
+      Bucket& bucket = buckets_[bucket_of_[key]];
+      bucket.take(plan_, lane, pair_[lane]);
+      if (bucket.filled == kLanes) sum(bucket, key);
+    }
+    planned_ = 0;
+  }
+
+  void sum(Bucket& bucket, std::uint32_t key) {
+    if (bucket.filled == 0) return;
+    sum_aligned(bucket.lanes, key, rows_.wide_);
+    for (std::size_t lane = 0; lane < bucket.filled; ++lane) {
+      const std::size_t k = bucket.pair[lane];
+      const Bounded found{bucket.lanes.total[lane], bucket.bound[lane]};
+      keep(k, found);
+      if (!reaches(found, asked(k))) others_.push_back(k);  // guessed too large
+    }
+    bucket.filled = 0;
+  }
+
+  void keep(std::size_t k, const Bounded& found) { factors_[k] = {std::clamp(found.value, 0.0, 1.0), found.bound}; }
+
+  void boundary_integral(std::size_t k) {
+    const auto [from, to] = pairs_[k];
+    factors_[k] =
+        form_factor(Boundary{rows_.polygons_[from].vertices()}, Boundary{rows_.polygons_[to].vertices()}, asked(k));
+  }
+
+  struct Job {
+    std::uint32_t from, key;
+    std::size_t pair;
+    double bound;
+  };
+
+  void product_rules() {
+    std::vector<Job> jobs;
+    for (const std::size_t k : others_) {
+      const auto [from, to] = pairs_[k];
+      const Plan chosen = plan_of(rows_.patches_[from], rows_.patches_[to], asked(k));
+      factors_[k] = {0, 0};
+      if (chosen.kind == Plan::Kind::other) boundary_integral(k);
+      if (chosen.kind == Plan::Kind::rule) jobs.push_back({from, chosen.key, k, chosen.bound});
+    }
+    std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) {
+      return std::tie(a.from, a.key, a.pair) < std::tie(b.from, b.key, b.pair);
+    });
+    ProductRule rule;
+    for (std::size_t start = 0, end = 0; start < jobs.size(); start = end) {
+      while (end < jobs.size() && jobs[end].from == jobs[start].from && jobs[end].key == jobs[start].key) ++end;
+      const Parallelogram& source = rows_.patches_[jobs[start].from];
+      rule.set_source(source.half[0], source.half[1], nodes_of(jobs[start].key, 0), nodes_of(jobs[start].key, 1));
+      for (std::size_t block = start; block < end; block += kLanes) product_block(rule, {&jobs[block], end - block});
     }
   }
+
+  void product_block(ProductRule& rule, std::span<const Job> jobs) {
+    const Parallelogram& source = rows_.patches_[jobs[0].from];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      set_lane(rule, lane, source, rows_.patches_[pairs_[jobs[std::min(lane, jobs.size() - 1)].pair].to]);
+    }
+    rule.sum(nodes_of(jobs[0].key, 2), nodes_of(jobs[0].key, 3), rows_.wide_);
+    for (std::size_t lane = 0; lane < std::min(kLanes, jobs.size()); ++lane) {
+      const std::size_t k = jobs[lane].pair;
+      const Bounded found{rule.total[lane] * (rows_.patches_[pairs_[k].to].area / (16 * kPi)), jobs[lane].bound};
+      keep(k, found);
+      if (!reaches(found, asked(k))) boundary_integral(k);
+    }
+  }
+
+  const FactorRows& rows_;
+  std::span<const IndexPair> pairs_;
+  Tolerance tolerance_;
+  AbsoluteError side_;
+  std::span<Bounded> factors_;
+
+  AlignedPlan plan_;
+  std::array<std::uint32_t, kLanes> from_set_, to_set_;
+  std::array<std::size_t, kLanes> pair_{};
+  std::size_t planned_ = 0;
+  std::array<std::uint32_t, kAlignedKeys> bucket_of_;
+  std::vector<Bucket> buckets_;
+  std::vector<std::uint32_t> keys_;
+  std::vector<std::size_t> others_;
+};
+
+void FactorRows::pairs(std::span<const IndexPair> pairs, Tolerance tolerance, AbsoluteError side,
+                       std::span<Bounded> factors) const {
+  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "FactorRows: tolerances are not negative");
+  require(factors.size() == pairs.size(), "FactorRows: spans fit");
+  Call(*this, pairs, tolerance, side, factors).run();
+}
+
+void FactorRows::row(std::size_t from, std::span<const std::uint32_t> columns, Tolerance tolerance,
+                     std::span<Bounded> factors) const {
+  require(from < size(), "FactorRows: indices are within the set");
+  std::vector<IndexPair> named;
+  named.reserve(columns.size());
+  for (const std::uint32_t to : columns) named.push_back({static_cast<std::uint32_t>(from), to});
+  pairs(named, tolerance, AbsoluteError::of_this, factors);
 }
 
 std::optional<Bounded> product_factor(const Polygon& from, const Polygon& to, Tolerance tolerance) {
   const Parallelogram source = parallelogram(from, 0), target = parallelogram(to, 1);
+  if (!source.valid || !target.valid) return std::nullopt;
+  const auto kept = [](const Bounded& found) { return Bounded{std::clamp(found.value, 0.0, 1.0), found.bound}; };
+  AlignedPlan plan;
+  plan.from.set(0, source);
+  plan.to.set(0, target);
+  plan.absolute[0] = tolerance.absolute;
+  plan.relative = tolerance.relative;
+  plan.make(has_wide_vectors());
+  if (plan.key[0] != kNotAligned) {
+    sum_aligned(plan.lanes, plan.key[0], has_wide_vectors());
+    const Bounded found{plan.lanes.total[0], plan.bound[0]};
+    if (reaches(found, tolerance)) return kept(found);
+  }
   const Plan chosen = plan_of(source, target, tolerance);
   if (chosen.kind == Plan::Kind::nothing) return Bounded{0, 0};
   if (chosen.kind == Plan::Kind::other) return std::nullopt;
-  const auto nodes = [&](int direction) { return kLeastNodes + static_cast<int>(chosen.key >> (3 * direction) & 7); };
   ProductRule rule;
-  rule.set_source(source.half[0], source.half[1], nodes(0), nodes(1));
-  const Vec3 between = (target.corner - source.corner) + (target.centre - source.centre);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    rule.set_lane(lane, source.normal, between, target.half[0], target.half[1], target.normal);
-  }
-  rule.sum(nodes(2), nodes(3), has_wide_vectors());
-  const double value = rule.total[0] * (target.area / (16 * kPi));
-  if (chosen.bound > std::max(tolerance.absolute, tolerance.relative * value)) return std::nullopt;
-  return Bounded{std::clamp(value, 0.0, 1.0), chosen.bound};
+  rule.set_source(source.half[0], source.half[1], nodes_of(chosen.key, 0), nodes_of(chosen.key, 1));
+  for (std::size_t lane = 0; lane < kLanes; ++lane) set_lane(rule, lane, source, target);
+  rule.sum(nodes_of(chosen.key, 2), nodes_of(chosen.key, 3), has_wide_vectors());
+  const Bounded found{rule.total[0] * (target.area / (16 * kPi)), chosen.bound};
+  if (!reaches(found, tolerance)) return std::nullopt;
+  return kept(found);
 }
 
 }  // namespace etendue

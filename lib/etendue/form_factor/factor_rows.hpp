@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "etendue/core/bounded.hpp"
+#include "etendue/form_factor/parallelogram.hpp"
 #include "etendue/geometry/polygon.hpp"
 
 namespace etendue {
@@ -15,18 +16,12 @@ namespace etendue {
 /// Which instructions the product rules run on. Both give the same bits: lanes only add, multiply and divide.
 enum class Instructions { portable, widest };
 
-/// A parallelogram around its centre: centre ± half[0] ± half[1] are its corners.
-struct Parallelogram {
-  Vec3 corner, centre;  ///< the first vertex; the centre as seen from it
-  Vec3 half[2];
-  Vec3 normal;
-  double length[2];  ///< of the half edges
-  double radius, area;
-  double shape;         ///< share of the factor that the rounding of corners and normal may cost
-  double flatness;      ///< bounds the distance of a corner from the plane
-  std::uint32_t plane;  ///< the same number for all that lie exactly in one plane and turn the same way
-  bool valid;           ///< false: the polygon is none
+struct IndexPair {
+  std::uint32_t from, to;
 };
+
+/// What an absolute error is asked of: the factor from the first to the second, or that and the one back.
+enum class AbsoluteError { of_this, of_both };
 
 /// Free form factors from one polygon to many: what form_factor() returns, some hundred times faster where
 /// parallelograms lie apart. Pairs of those go through product Gauss rules, eight at a time, with an a-priori number of
@@ -43,11 +38,16 @@ class FactorRows {
 
   std::size_t size() const { return polygons_.size(); }
 
+  /// F of each pair, in their order. A pair's bits depend on nothing but its polygons and the tolerance.
+  void pairs(std::span<const IndexPair> pairs, Tolerance tolerance, AbsoluteError side,
+             std::span<Bounded> factors) const;
+
   /// F from polygon `from` to each of `columns`, in their order.
   void row(std::size_t from, std::span<const std::uint32_t> columns, Tolerance tolerance,
            std::span<Bounded> factors) const;
 
  private:
+  class Call;
   std::vector<Polygon> polygons_;
   std::vector<Parallelogram> patches_;
   bool wide_;
