@@ -2,6 +2,7 @@
 #include "etendue/assembly/exact_exchange.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "etendue/core/rounding.hpp"
 
@@ -13,78 +14,114 @@ namespace {
 /// lead to the exchange area.
 constexpr double kRoomForRounding = 1 - 0x1p-10;
 
-/// A pair of elements; all in exchange areas.
-struct Pair {
-  ElementPair elements;
-  const AssemblyTolerance& tolerance;
+std::vector<Polygon> polygons_of(const ElementMesh& mesh) {
+  std::vector<Polygon> polygons;
+  polygons.reserve(mesh.elements.size());
+  for (const Element& element : mesh.elements) polygons.push_back(element.polygon);
+  return polygons;
+}
 
-  /// So that the absolute error holds for the factor from either side: it is larger from the smaller surface.
-  Tolerance asked(Tolerance wanted) const {
-    const double first = elements.first.area(), second = elements.second.area();
-    wanted.relative *= kRoomForRounding;
-    wanted.absolute *= kRoomForRounding * std::min(first, second) / std::max(first, second);
-    return wanted;
-  }
-  AssemblyTolerance asked() const { return {asked(tolerance.free), asked(tolerance.obstructed)}; }
+/// So that the absolute error holds for the factor from either side: it is larger from the smaller surface.
+Tolerance of_both(Tolerance asked, const Polygon& first, const Polygon& second) {
+  asked.absolute *= std::min(first.area(), second.area()) / std::max(first.area(), second.area());
+  return asked;
+}
 
-  Bounded exchange(const Bounded& factor) const {
-    const double area = elements.first.area(), value = factor.value * area;
-    return {value, (factor.bound * area + kUnitRoundoff * value) * (1 + gamma_bound(4))};
-  }
+Tolerance with_room(const Tolerance& asked) {
+  return {kRoomForRounding * asked.relative, kRoomForRounding * asked.absolute};
+}
 
-  /// F_ij ≤ the unobstructed factor ≤ min(1, A_j/A_i) holds for the truth. A value held there is off by no more than
-  /// before, or by no more than the limit is.
-  Bounded held(Bounded value, const Bounded& unobstructed, TileReport& report) const {
-    Bounded most{std::min(elements.first.area(), elements.second.area()), 0};
-    if (unobstructed.value < most.value) most = unobstructed;
-    if (value.value > most.value) {
-      ++report.clamped;
-      value = {most.value, std::max(value.bound, most.bound)};
-    }
-    return value;
-  }
+Bounded exchange(const Bounded& factor, double area) {
+  const double value = factor.value * area;
+  return {value, (factor.bound * area + kUnitRoundoff * value) * (1 + gamma_bound(4))};
+}
 
-  Bounded find(bool from_both_sides, TileReport& report) const {
-    const PairFactor found =
-        from_both_sides ? two_sided_factor(elements, asked()) : one_sided_factor(elements, asked());
-    if (found.checked) {
-      ++report.checked;
-      if (!found.agree) ++report.disagreements;
-      report.defect = std::max(report.defect, found.difference);
-    }
-    return held(exchange(found.factor), exchange(found.free), report);
+/// F_ij ≤ the unobstructed factor ≤ min(1, A_j/A_i) holds for the truth. A value held there is off by no more than before,
+/// or by no more than the limit is.
+Bounded held(Bounded value, const Bounded& most, TileReport& report) {
+  if (value.value > most.value) {
+    ++report.clamped;
+    value = {most.value, std::max(value.bound, most.bound)};
   }
-};
+  return value;
+}
 
 }  // namespace
 
 ExactExchange::ExactExchange(const ElementMesh& mesh, const AssemblyTolerance& tolerance)
-    : mesh_(mesh), sights_(mesh), tolerance_(tolerance) {}
+    : mesh_(mesh),
+      sights_(mesh),
+      rows_(polygons_of(mesh)),
+      tolerance_{with_room(tolerance.free), with_room(tolerance.obstructed)} {}
 
-void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const {
+std::vector<SeenPair> ExactExchange::factors(std::span<const SurfacePair> pairs, AbsoluteError error) const {
+  std::vector<SeenPair> seen(pairs.size());
+  std::vector<IndexPair> there, back;
+  std::vector<std::size_t> clear, checked;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
     const SightLine line = sights_.between(i, j);
-    Pair pair{{mesh_.elements[i].polygon, mesh_.elements[j].polygon, {}}, tolerance_};
-    switch (line.sight) {
+    seen[k].sight = line.sight;
+    if (line.sight == Sight::clear) {
+      const auto first = static_cast<std::uint32_t>(i), second = static_cast<std::uint32_t>(j);
+      there.push_back({first, second});
+      clear.push_back(k);
+      if ((i + j) % kCheckedClearPairs != 0) continue;
+      back.push_back({second, first});
+      checked.push_back(k);
+    } else if (line.sight == Sight::undecided) {
+      const ElementPair pair{mesh_.elements[i].polygon, mesh_.elements[j].polygon, line.bodies};
+      AssemblyTolerance asked = tolerance_;
+      if (error == AbsoluteError::of_both) asked.obstructed = of_both(asked.obstructed, pair.first, pair.second);
+      seen[k].found = two_sided_factor(pair, asked);
+    }
+  }
+  std::vector<Bounded> found(there.size());
+  rows_.pairs(there, tolerance_.free, error, found);
+  for (std::size_t k = 0; k < clear.size(); ++k) {
+    seen[clear[k]].found.factor = found[k];
+    seen[clear[k]].found.free = found[k];
+  }
+  found.resize(back.size());
+  rows_.pairs(back, tolerance_.free, error, found);
+  for (std::size_t k = 0; k < checked.size(); ++k) {
+    PairFactor& pair = seen[checked[k]].found;
+    const double ratio = mesh_.elements[back[k].to].polygon.area() / mesh_.elements[back[k].from].polygon.area();
+    pair = compared_factor(pair.factor, found[k], ratio);
+    pair.free = pair.factor;
+  }
+  return seen;
+}
+
+void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const {
+  const std::vector<SeenPair> seen = factors(pairs, AbsoluteError::of_both);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double area = mesh_.elements[pairs[k].i].polygon.area();
+    const Bounded whole{std::min(area, mesh_.elements[pairs[k].j].polygon.area()), 0};
+    const PairFactor& found = seen[k].found;
+    exchanges[k] = {0, 0};
+    switch (seen[k].sight) {
       case Sight::averted:
         ++report.averted;
-        exchanges[k] = {0, 0};
-        break;
+        continue;
       case Sight::blocked:
         ++report.blocked;
-        exchanges[k] = {0, 0};
-        break;
+        continue;
       case Sight::clear:
         ++report.clear;
-        exchanges[k] = pair.find((i + j) % kCheckedClearPairs == 0, report);
+        exchanges[k] = held(exchange(found.factor, area), whole, report);
         break;
-      case Sight::undecided:
+      case Sight::undecided: {
         ++report.obstructed;
-        pair.elements.blockers = line.bodies;
-        exchanges[k] = pair.find(true, report);
+        const Bounded free = exchange(found.free, area);
+        exchanges[k] = held(exchange(found.factor, area), free.value < whole.value ? free : whole, report);
         break;
+      }
     }
+    if (!found.checked) continue;
+    ++report.checked;
+    if (!found.agree) ++report.disagreements;
+    report.defect = std::max(report.defect, found.difference);
   }
 }
 

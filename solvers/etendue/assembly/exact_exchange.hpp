@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "etendue/assembly/exchange_method.hpp"
-#include "etendue/assembly/form_factor_matrix.hpp"
+#include "etendue/assembly/pair_factor.hpp"
 #include "etendue/assembly/sight.hpp"
+#include "etendue/form_factor/factor_rows.hpp"
 
 namespace etendue {
 
-/// Exact integration: form_factor() where nothing stands between two elements, obstructed_form_factor() where something
-/// does.                                                                                   @eq IU.6-3, IU.6-4
-///
+/// Of the pairs with nothing between them, one in so many is also computed from the other side.
+inline constexpr std::size_t kCheckedClearPairs = 16;
+
+/// A pair of elements and F_ij; zero where they are averted or blocked.
+struct SeenPair {
+  Sight sight = Sight::averted;
+  PairFactor found;
+};
+
+/// Exact integration: FactorRows where nothing stands between two elements, obstructed_form_factor() where something does.
+///                                                                                            @eq IU.6-3, IU.6-4
 /// Accuracy  clear pairs: as form_factor() bounds them, proved. Obstructed pairs: computed from both sides; the larger
 ///           value is taken, since what an adaptive rule overlooks is a narrow gap, and its bound is the larger of the
 ///           two estimates and of the difference: measured (two_sided_factor()). Touching surfaces: as kTouching says
+/// Order     a pair's bits depend on nothing but the pair: clear ones are computed from the lower number
 class ExactExchange : public ExchangeMethod {
  public:
   /// `mesh` must outlive it.
@@ -20,9 +34,13 @@ class ExactExchange : public ExchangeMethod {
   void find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const override;
   std::vector<std::size_t> blockers(const SurfacePair& pair) const override;
 
+  /// F_ij of each pair, in their order. `error` says whether the absolute tolerance is asked of F_ji, too.
+  [[nodiscard]] std::vector<SeenPair> factors(std::span<const SurfacePair> pairs, AbsoluteError error) const;
+
  private:
   const ElementMesh& mesh_;
   SightMap sights_;
+  FactorRows rows_;
   AssemblyTolerance tolerance_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "etendue/assembly/sight.hpp"
+#include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/core/rounding.hpp"
 
 namespace etendue {
@@ -35,26 +35,21 @@ void join(MissedTolerance& sum, const MissedTolerance& more) {
   sum.pairs = pairs;
 }
 
-PairFactor pair_factor(const ElementMesh& mesh, const SightMap& sights, const AssemblyTolerance& tolerance,
-                       std::size_t i, std::size_t j, PairCounts& counts) {
-  const SightLine line = sights.between(i, j);
-  ElementPair pair{mesh.elements[i].polygon, mesh.elements[j].polygon, {}};
-  switch (line.sight) {
+void count(Sight sight, PairCounts& counts) {
+  switch (sight) {
     case Sight::averted:
       ++counts.averted;
-      return {};
+      break;
+    case Sight::clear:
+      ++counts.clear;
+      break;
     case Sight::blocked:
       ++counts.blocked;
-      return {};
-    case Sight::clear:
-      if (counts.clear++ % kCheckedClearPairs == 0) return two_sided_factor(pair, tolerance);
-      return one_sided_factor(pair, tolerance);
+      break;
     case Sight::undecided:
+      ++counts.obstructed;
       break;
   }
-  ++counts.obstructed;
-  pair.blockers = line.bodies;
-  return two_sided_factor(pair, tolerance);
 }
 
 void add(RowReport& sum, const RowReport& row) {
@@ -75,15 +70,19 @@ FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTo
                                        const Execution& execution) {
   const std::size_t n = mesh.elements.size();
   const auto size = static_cast<Eigen::Index>(n);
-  const SightMap sights(mesh);
+  const ExactExchange exact(mesh, tolerance);
   FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, {}, {}, false};
   std::vector<RowReport> rows(n);
   std::vector<char> done(n, 0);  // not vector<bool>: threads write neighbours
 
   matrix.complete = parallel_for(n, execution, [&](std::size_t row) {
+    std::vector<SurfacePair> pairs;
+    for (std::size_t column = row + 1; column < n; ++column) pairs.push_back({row, column});
+    const std::vector<SeenPair> seen = exact.factors(pairs, AbsoluteError::of_this);
     for (std::size_t column = row + 1; column < n; ++column) {
-      const PairFactor found = pair_factor(mesh, sights, tolerance, row, column, rows[row].pairs);
+      const auto& [sight, found] = seen[column - row - 1];
       const Bounded factor = found.factor;
+      count(sight, rows[row].pairs);
       const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
       const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
       count(found, rows[row].reciprocity);

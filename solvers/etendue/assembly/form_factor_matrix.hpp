@@ -11,9 +11,6 @@
 
 namespace etendue {
 
-/// Of the pairs with nothing between them, every n-th is also computed from the other side.
-inline constexpr std::size_t kCheckedClearPairs = 16;
-
 /// How many pairs of elements were of which kind.
 struct PairCounts {
   std::size_t averted = 0;     ///< cannot see each other's front

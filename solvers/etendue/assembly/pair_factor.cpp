@@ -71,28 +71,25 @@ struct Comparison {
   bool settled = true;  // nothing to be gained from parts
 };
 
-// Both sides as factors of the first.
-Comparison compared(const Bounded& there, Bounded back, double ratio, const Tolerance& tolerance) {
-  back = {back.value / ratio, back.bound / ratio};
-  const double difference = std::abs(there.value - back.value);
-  const double larger = std::max(there.value, back.value);
-  PairFactor result;
-  result.checked = true;
-  result.factor = {larger, std::max({there.bound, back.bound, difference})};
-  result.agree = difference <= there.bound + back.bound + gamma_bound(4) * larger;  // two roundings on A_2 F_21 / A_1
-  result.difference = difference * std::min(1.0, ratio);
+Comparison compared(const Bounded& there, const Bounded& back, double ratio, const Tolerance& tolerance) {
+  const PairFactor result = compared_factor(there, back, ratio);
+  const double larger = result.factor.value, difference = std::abs(there.value - back.value / ratio);
   // A side that has run out of evaluations (obstructed.cpp) says so by its bound; each part would cost as much again.
-  const bool reached = std::max(there.bound, back.bound) <= allowed_error(tolerance, larger, ratio);
+  const bool reached = std::max(there.bound, back.bound / ratio) <= allowed_error(tolerance, larger, ratio);
   return {result, !reached || (result.agree && difference <= allowed_error(tolerance, larger, ratio))};
 }
 
 }  // namespace
 
-PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
-  const Side side = seen_from(pair.first, pair.second, pair.blockers, tolerance);
+PairFactor compared_factor(const Bounded& there, const Bounded& back, double area_ratio) {
+  const Bounded as_there{back.value / area_ratio, back.bound / area_ratio};
+  const double difference = std::abs(there.value - as_there.value), larger = std::max(there.value, as_there.value);
   PairFactor result;
-  result.factor = side.factor;
-  result.free = side.free;
+  result.checked = true;
+  result.factor = {larger, std::max({there.bound, as_there.bound, difference})};
+  // Two roundings on A_2 F_21 / A_1.
+  result.agree = difference <= there.bound + as_there.bound + gamma_bound(4) * larger;
+  result.difference = difference * std::min(1.0, area_ratio);
   return result;
 }
 

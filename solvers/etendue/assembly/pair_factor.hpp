@@ -39,10 +39,11 @@ struct PairFactor {
   double difference = 0;  ///< |A_1 F_12 − A_2 F_21| / max(A_1, A_2) at the end
 };
 
-/// F_12 from the first element's side only.                                                       @eq IU.6-3, IU.6-4
+/// What two sides, each computed on its own, say of a pair with nothing between.               @eq IU.6-5
 ///
-/// Accuracy  no blockers: as form_factor(), proved; else as obstructed_form_factor(), measured
-[[nodiscard]] PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance);
+/// Symbols   there F_12; back F_21; area_ratio A_1/A_2
+/// Returns   the larger value, with the largest of the two bounds and the difference
+[[nodiscard]] PairFactor compared_factor(const Bounded& there, const Bounded& back, double area_ratio);
 
 /// F_12 computed from both sides: the larger value, since what an adaptive rule overlooks is a narrow gap, with the
 /// larger of the two bounds and the difference. Where the two differ by more than their bounds or the tolerance, both
