@@ -9,6 +9,7 @@
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/difference_rule.hpp"
+#include "etendue/form_factor/gauss_legendre.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/pair_form_factor.hpp"
@@ -210,6 +211,25 @@ TEST(DifferenceRule, IsExactToItsDegreeAndErrsByItsRemainder) {
         EXPECT_TRUE(near(difference_remainder(n), static_cast<double>(moment - even), allowed)) << n;
       }
     }
+  }
+}
+
+// CLAIM      The Gauss-Legendre rule of n points errs by legendre_remainder(n) on x^(2n).
+// ORACLE     exact: ∫ x^(2n) dx = 2/(2n + 1).
+// TOLERANCE  as above: the remainder is within that of the moment which it is the rest of.
+TEST(DifferenceRule, HasLegendresRemainderBeside) {
+  proves({}, Oracle::exact, "moments of a segment");
+  for (int n = 1; n <= 12; ++n) {
+    long double sum = 0;
+    for (const QuadratureNode& node : gauss_legendre(n)) {
+      long double power = node.weight;
+      for (int i = 0; i < 2 * n; ++i) power *= node.x;
+      sum += power;
+    }
+    const long double moment = 2 / (2 * n + 1.0L);
+    EXPECT_TRUE(near(legendre_remainder(n), static_cast<double>(moment - sum),
+                     2 * (3 * n + 2) * kUnitRoundoff * static_cast<double>(moment)))
+        << n;
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -13,6 +11,7 @@
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/aligned_pairs.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
+#include "etendue/form_factor/product_plan.hpp"
 #include "etendue/form_factor/product_rule.hpp"
 
 namespace etendue {
@@ -20,139 +19,6 @@ namespace etendue {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kLeastNodes = 2;
-constexpr int kMostNodes = 9;
-/// Kernel evaluations beyond which form_factor() is the cheaper one.
-constexpr double kMostKernels = 6561;
-
-constexpr std::size_t kRules = kMostNodes - kLeastNodes + 1;
-using ByRule = std::array<double, kRules>;
-
-/// c_n = 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)²): the n-point rule errs by c_n times the Taylor coefficient of order 2n at
-/// some point of (−1, 1). With it the factors in the bounds of that coefficient for r^(−4) (NOTES.md §8).
-struct RuleErrors {
-  ByRule remainder{};
-  ByRule steep_even{}, steep_odd{};  ///< (k+1)(k+2)(k+3)/6 for k = 2n and 2n − 1
-  ByRule flat_even{}, flat_odd{};    ///< (k+2)/2
-};
-
-RuleErrors compute_rule_errors() {
-  RuleErrors errors;
-  double c = 2.0 / 3;  // n = 1: 2^3 / (3 · 2²)
-  for (int n = 2; n <= kMostNodes; ++n) {
-    const double m = n, k = 2 * n;
-    c *= 4 * m * m * m * m * (2 * m - 1) / ((2 * m + 1) * (2 * m) * (2 * m) * (2 * m - 1) * (2 * m - 1));
-    const auto i = static_cast<std::size_t>(n - kLeastNodes);
-    errors.remainder[i] = c;
-    errors.steep_even[i] = (k + 1) * (k + 2) * (k + 3) / 6;
-    errors.steep_odd[i] = k * (k + 1) * (k + 2) / 6;
-    errors.flat_even[i] = (k + 2) / 2;
-    errors.flat_odd[i] = (k + 1) / 2;
-  }
-  return errors;
-}
-
-/// One direction: the lengths and heights that its error follows from.
-struct Direction {
-  double weight, q, fourth, flat, top, slope;
-};
-
-/// The first rule whose error is at most `share`; kRules where there is none.
-struct Choice {
-  std::size_t rule;
-  double error;
-};
-
-Choice choose(const Direction& d, const RuleErrors& rules, double share) {
-  const double square = d.q * d.q, top = d.top * d.q;
-  double power = d.weight * d.q * square;
-  for (std::size_t i = 0; i < kRules; ++i) {
-    const double even = std::min(rules.steep_even[i] * d.fourth, rules.flat_even[i] * d.flat);
-    const double odd = std::min(rules.steep_odd[i] * d.fourth, rules.flat_odd[i] * d.flat);
-    const double error = power * rules.remainder[i] * (top * even + d.slope * odd);
-    if (error <= share) return {i, error};
-    power *= square;
-  }
-  return {kRules, 0};
-}
-
-/// How a pair is served.
-struct Plan {
-  enum class Kind { nothing, rule, other } kind = Kind::other;
-  std::uint32_t key = 0;  ///< nodes in the four directions, three bits each, less kLeastNodes
-  double bound = 0;
-};
-
-Plan plan_of(const Parallelogram& from, const Parallelogram& to, const Tolerance& tolerance) {
-  Plan result;
-  if (from.plane == to.plane) {
-    result.kind = Plan::Kind::nothing;
-    return result;
-  }
-  if (!from.valid || !to.valid) return result;
-  const Vec3 between = (to.corner - from.corner) + (to.centre - from.centre);
-  const double square = between.squaredNorm(), distance = std::sqrt(square), radii = from.radius + to.radius;
-  constexpr double kSmallest = 0x1p-150, kLargest = 0x1p150;  // fourth powers of distances, squares of areas
-  if (!(distance > kSmallest && distance < kLargest)) return result;
-  const double reach = distance + radii, nearest = distance - radii;
-  constexpr double kHeightRoundings = 16;
-  const double slack = kHeightRoundings * kUnitRoundoff * reach + from.flatness + to.flatness;
-  const double rise[2] = {from.normal.dot(to.half[0]), from.normal.dot(to.half[1])};
-  const double fall[2] = {to.normal.dot(from.half[0]), to.normal.dot(from.half[1])};
-  const double height = from.normal.dot(between), depth = -to.normal.dot(between);
-  const double height_range = std::abs(rise[0]) + std::abs(rise[1]),
-               depth_range = std::abs(fall[0]) + std::abs(fall[1]);
-  const double highest = height + height_range, deepest = depth + depth_range;
-  if (highest < -slack || deepest < -slack) {
-    result.kind = Plan::Kind::nothing;
-    return result;
-  }
-  if (!(height - height_range >= -slack && depth - depth_range >= -slack && nearest > 0) || !(highest > 2 * slack) ||
-      !(deepest > 2 * slack)) {
-    return result;
-  }
-  const double scale = to.area / kPi, inverse = 1 / nearest, fourth = inverse * inverse * inverse * inverse;
-  const double asked = std::max(tolerance.absolute, tolerance.relative * scale * height * depth / (square * square));
-  // Rounding: heights err by the slack, r^4 by a few roundings of reach/nearest, the sum by its terms; NOTES.md §8.
-  constexpr double kTerms = 2 * kMostNodes + 40, kFourthPower = 32;
-  const double rounding =
-      scale * fourth *
-      (highest * deepest * (kUnitRoundoff * (kTerms + kFourthPower * reach * inverse) + from.shape + to.shape) +
-       2 * slack * (highest + deepest));
-  const double share = 0.25 * (0.75 * asked - rounding);
-  if (!(share > 0)) return result;
-  static const RuleErrors rules = compute_rule_errors();
-  double kernels = 1;
-  double truncation = 0;
-  for (int direction = 0; direction < 4; ++direction) {
-    const bool own = direction < 2;
-    const Parallelogram& patch = own ? from : to;
-    const int side = direction % 2;
-    const double length = patch.length[side];
-    // Off the line along this direction: no point of the pair is nearer to it than `off`.
-    const double along = between.dot(patch.half[side]) / length;
-    const double off = std::sqrt(std::max(0.0, (1 - 0x1p-48) * square - along * along)) - radii - slack;
-    const double flat = off > 0 ? inverse / (off * off * off) : std::numeric_limits<double>::infinity();
-    const double q = length * inverse, slope = std::abs(own ? fall[side] : rise[side]);
-    const double top = own ? deepest : highest, other = (own ? highest : deepest) + slack;
-    // scale/16 for the Jacobians and 8 for the other three rules
-    const double weight = 0.5 * scale * other;
-    const Choice chosen = choose({weight, q, fourth, flat, top + slack, slope}, rules, share);
-    if (chosen.rule == kRules) return result;
-    kernels *= static_cast<double>(chosen.rule) + kLeastNodes;
-    result.key |= static_cast<std::uint32_t>(chosen.rule) << (3 * direction);
-    truncation += chosen.error;
-  }
-  if (kernels > kMostKernels) return result;
-  result.kind = Plan::Kind::rule;
-  constexpr double kOwn = 1 + 0x1p-40;  // the roundings of this bound itself
-  result.bound = kOwn * (truncation + rounding);
-  return result;
-}
-
-int nodes_of(std::uint32_t key, int direction) {
-  return kLeastNodes + static_cast<int>(key >> (3 * direction) & 7);
-}
 
 void set_lane(ProductRule& rule, std::size_t lane, const Parallelogram& from, const Parallelogram& to) {
   rule.set_lane(lane, from.normal, (to.corner - from.corner) + (to.centre - from.centre), to.half[0], to.half[1],
@@ -242,7 +108,7 @@ class FactorRows::Call {
     plan_.make(rows_.wide_);
     for (std::size_t lane = 0; lane < planned_; ++lane) {
       const std::uint32_t key = plan_.key[lane];
-      if (key == kNotAligned) {
+      if (key == AlignedPlan::kNone) {
         others_.push_back(pair_[lane]);
         continue;
       }
@@ -288,10 +154,10 @@ class FactorRows::Call {
     std::vector<Job> jobs;
     for (const std::size_t k : others_) {
       const auto [from, to] = pairs_[k];
-      const Plan chosen = plan_of(rows_.patches_[from], rows_.patches_[to], asked(k));
+      const ProductPlan chosen = product_plan(rows_.patches_[from], rows_.patches_[to], asked(k));
       factors_[k] = {0, 0};
-      if (chosen.kind == Plan::Kind::other) boundary_integral(k);
-      if (chosen.kind == Plan::Kind::rule) jobs.push_back({from, chosen.key, k, chosen.bound});
+      if (chosen.kind == ProductPlan::Kind::other) boundary_integral(k);
+      if (chosen.kind == ProductPlan::Kind::rule) jobs.push_back({from, chosen.key, k, chosen.bound});
     }
     std::sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) {
       return std::tie(a.from, a.key, a.pair) < std::tie(b.from, b.key, b.pair);
@@ -300,7 +166,8 @@ class FactorRows::Call {
     for (std::size_t start = 0, end = 0; start < jobs.size(); start = end) {
       while (end < jobs.size() && jobs[end].from == jobs[start].from && jobs[end].key == jobs[start].key) ++end;
       const Parallelogram& source = rows_.patches_[jobs[start].from];
-      rule.set_source(source.half[0], source.half[1], nodes_of(jobs[start].key, 0), nodes_of(jobs[start].key, 1));
+      rule.set_source(source.half[0], source.half[1], ProductPlan::nodes(jobs[start].key, 0),
+                      ProductPlan::nodes(jobs[start].key, 1));
       for (std::size_t block = start; block < end; block += kLanes) product_block(rule, {&jobs[block], end - block});
     }
   }
@@ -310,7 +177,7 @@ class FactorRows::Call {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       set_lane(rule, lane, source, rows_.patches_[pairs_[jobs[std::min(lane, jobs.size() - 1)].pair].to]);
     }
-    rule.sum(nodes_of(jobs[0].key, 2), nodes_of(jobs[0].key, 3), rows_.wide_);
+    rule.sum(ProductPlan::nodes(jobs[0].key, 2), ProductPlan::nodes(jobs[0].key, 3), rows_.wide_);
     for (std::size_t lane = 0; lane < std::min(kLanes, jobs.size()); ++lane) {
       const std::size_t k = jobs[lane].pair;
       const Bounded found{rule.total[lane] * (rows_.patches_[pairs_[k].to].area / (16 * kPi)), jobs[lane].bound};
@@ -329,7 +196,7 @@ class FactorRows::Call {
   std::array<std::uint32_t, kLanes> from_set_, to_set_;
   std::array<std::size_t, kLanes> pair_{};
   std::size_t planned_ = 0;
-  std::array<std::uint32_t, kAlignedKeys> bucket_of_;
+  std::array<std::uint32_t, aligned::kKeys> bucket_of_;
   std::vector<Bucket> buckets_;
   std::vector<std::uint32_t> keys_;
   std::vector<std::size_t> others_;
@@ -361,18 +228,18 @@ std::optional<Bounded> product_factor(const Polygon& from, const Polygon& to, To
   plan.absolute[0] = tolerance.absolute;
   plan.relative = tolerance.relative;
   plan.make(has_wide_vectors());
-  if (plan.key[0] != kNotAligned) {
+  if (plan.key[0] != AlignedPlan::kNone) {
     sum_aligned(plan.lanes, plan.key[0], has_wide_vectors());
     const Bounded found{plan.lanes.total[0], plan.bound[0]};
     if (reaches(found, tolerance)) return kept(found);
   }
-  const Plan chosen = plan_of(source, target, tolerance);
-  if (chosen.kind == Plan::Kind::nothing) return Bounded{0, 0};
-  if (chosen.kind == Plan::Kind::other) return std::nullopt;
+  const ProductPlan chosen = product_plan(source, target, tolerance);
+  if (chosen.kind == ProductPlan::Kind::nothing) return Bounded{0, 0};
+  if (chosen.kind == ProductPlan::Kind::other) return std::nullopt;
   ProductRule rule;
-  rule.set_source(source.half[0], source.half[1], nodes_of(chosen.key, 0), nodes_of(chosen.key, 1));
+  rule.set_source(source.half[0], source.half[1], ProductPlan::nodes(chosen.key, 0), ProductPlan::nodes(chosen.key, 1));
   for (std::size_t lane = 0; lane < kLanes; ++lane) set_lane(rule, lane, source, target);
-  rule.sum(nodes_of(chosen.key, 2), nodes_of(chosen.key, 3), has_wide_vectors());
+  rule.sum(ProductPlan::nodes(chosen.key, 2), ProductPlan::nodes(chosen.key, 3), has_wide_vectors());
   const Bounded found{rule.total[0] * (target.area / (16 * kPi)), chosen.bound};
   if (!reaches(found, tolerance)) return std::nullopt;
   return kept(found);

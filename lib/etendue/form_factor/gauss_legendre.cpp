@@ -104,6 +104,13 @@ std::span<const WideQuadratureNode> wide_gauss_legendre(int n) {
   return {rules.data() + first_of(n), static_cast<std::size_t>(n)};
 }
 
+double legendre_remainder(int n) {
+  require(n >= 1 && n <= kMaxGaussNodes, "legendre_remainder: 1 <= n <= kMaxGaussNodes");
+  double c = 2;  // n = 0; the quotient of two that follow one another is (n/(2n − 1))² (2n − 1)/(2n + 1)
+  for (int k = 1; k <= n; ++k) c *= static_cast<double>(k) * k / ((2.0 * k - 1) * (2.0 * k + 1));
+  return c;
+}
+
 double logarithmic_truncation(int n, double rho) {
   return 32.0 / 15 / n * geometric(n, rho);
 }

@@ -23,7 +23,11 @@ inline constexpr int kMaxGaussNodes = 32;
 /// Errors    ContractViolation when n is out of range
 [[nodiscard]] std::span<const QuadratureNode> gauss_legendre(int n);
 
-/// The same in twice the digits.
+/// The rule errs by this times f^(2n)/(2n)! at some point of (−1, 1): c_n = 2^(2n+1) (n!)⁴/((2n+1) ((2n)!)²), the squared
+/// norm of the n-th monic Legendre polynomial.
+[[nodiscard]] double legendre_remainder(int n);
+
+/// A node in twice the digits.
 struct WideQuadratureNode {
   DoubleDouble x;
   DoubleDouble weight;

@@ -16,10 +16,10 @@ namespace {
 
 /// Small scenes have small tiles, so that there is work for many threads; large ones large tiles, so that the cells
 /// outside the triangle cost little memory.
-std::size_t tile_side(std::size_t surfaces) {
-  if (surfaces <= 64) return 2;
-  if (surfaces <= 512) return 8;
-  return surfaces <= 2048 ? 32 : 64;
+unsigned tile_shift(std::size_t surfaces) {
+  if (surfaces <= 64) return 1;
+  if (surfaces <= 512) return 3;
+  return surfaces <= 2048 ? 5 : 6;
 }
 
 /// The least float that is not below `bound`.
@@ -28,9 +28,6 @@ float rounded_up(double bound) {
   const float nearest = static_cast<float>(bound);
   return static_cast<double>(nearest) < bound ? std::nextafter(nearest, kInfinity) : nearest;
 }
-
-/// Roundings on the way of a bound into its float and out again: a division, a product, each side.
-constexpr double kBoundRounding = 1 + 8 * kUnitRoundoff;
 
 struct Memory {
   std::vector<double> exchanges;
@@ -41,11 +38,10 @@ struct Memory {
 }  // namespace
 
 TileLayout::TileLayout(std::size_t surfaces)
-    : surfaces_(surfaces), side_(tile_side(surfaces)), blocks_((surfaces + side_ - 1) / side_) {}
-
-std::size_t TileLayout::tile_of(std::size_t block_row, std::size_t block_column) const {
-  return block_row * blocks_ - block_row * (block_row + 1) / 2 + block_column;
-}
+    : surfaces_(surfaces),
+      shift_(tile_shift(surfaces)),
+      side_(std::size_t{1} << shift_),
+      blocks_((surfaces + side_ - 1) / side_) {}
 
 TileLayout::Block TileLayout::block_of(std::size_t tile) const {
   std::size_t low = 0, high = blocks_ - 1;  // the last block row whose first tile is not after this one
@@ -62,10 +58,6 @@ TileLayout::Block TileLayout::block_of(std::size_t tile) const {
 
 TileLayout::Range TileLayout::range(std::size_t block) const {
   return {block * side_, std::min(surfaces_, (block + 1) * side_)};
-}
-
-std::size_t TileLayout::cell_of(std::size_t i, std::size_t j) const {
-  return tile_of(i / side_, j / side_) * cells() + (i % side_) * side_ + j % side_;
 }
 
 void add(TileReport& sum, const TileReport& part) {
@@ -111,23 +103,8 @@ ExchangeMatrix::ExchangeMatrix(std::vector<double> areas, ExchangeStorage storag
           "ExchangeMatrix: the storage has the size of the layout");
 }
 
-double ExchangeMatrix::exchange(std::size_t i, std::size_t j) const {
-  return storage_.exchanges[layout_.cell_of(std::min(i, j), std::max(i, j))];
-}
-
-double ExchangeMatrix::exchange_bound(std::size_t i, std::size_t j) const {
-  const double bound = storage_.bounds[layout_.cell_of(std::min(i, j), std::max(i, j))];
-  return bound * std::min(areas_[i], areas_[j]) * kBoundRounding;
-}
-
-Bounded ExchangeMatrix::factor(std::size_t i, std::size_t j) const {
-  const double value = exchange(i, j) / areas_[i];
-  // A composed surface may come out above 1 by its bound; the truth does not.
-  return {std::min(1.0, value), exchange_bound(i, j) / areas_[i] * kBoundRounding + kUnitRoundoff * value};
-}
-
 void ExchangeMatrix::set(std::size_t i, std::size_t j, const Bounded& exchange) {
-  const std::size_t cell = layout_.cell_of(std::min(i, j), std::max(i, j));
+  const std::size_t cell = cell_of(i, j);
   storage_.exchanges[cell] = exchange.value;
   storage_.bounds[cell] = rounded_up(exchange.bound / std::min(areas_[i], areas_[j]) * kBoundRounding);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "etendue/core/bounded.hpp"
+#include "etendue/core/rounding.hpp"
 
 namespace etendue {
 
@@ -31,14 +33,21 @@ class TileLayout {
   std::size_t cells() const { return side_ * side_; }  ///< of a tile, those outside the triangle too
   std::size_t pairs() const { return surfaces_ * (surfaces_ - (surfaces_ > 0 ? 1 : 0)) / 2; }
 
-  std::size_t tile_of(std::size_t block_row, std::size_t block_column) const;
+  std::size_t tile_of(std::size_t block_row, std::size_t block_column) const {
+    return block_row * blocks_ - block_row * (block_row + 1) / 2 + block_column;
+  }
   Block block_of(std::size_t tile) const;
   Range range(std::size_t block) const;
   /// Where the pair i ≤ j lies among all cells.
-  std::size_t cell_of(std::size_t i, std::size_t j) const;
+  std::size_t cell_of(std::size_t i, std::size_t j) const {
+    const std::size_t inside = side_ - 1;
+    return (tile_of(i >> shift_, j >> shift_) << 2 * shift_) + ((i & inside) << shift_) + (j & inside);
+  }
 
  private:
-  std::size_t surfaces_, side_, blocks_;
+  std::size_t surfaces_;
+  unsigned shift_;  ///< side_ = 2^shift_
+  std::size_t side_, blocks_;
 };
 
 /// What happened to the pairs of a tile.
@@ -85,11 +94,17 @@ class ExchangeMatrix {
   const TileLayout& layout() const { return layout_; }
 
   /// A_i F_ij [length²]; 0 where i = j, but for composed surfaces that see themselves.
-  double exchange(std::size_t i, std::size_t j) const;
+  double exchange(std::size_t i, std::size_t j) const { return storage_.exchanges[cell_of(i, j)]; }
   /// Bound on its absolute error, rounding of the storage included [length²].
-  double exchange_bound(std::size_t i, std::size_t j) const;
+  double exchange_bound(std::size_t i, std::size_t j) const {
+    return storage_.bounds[cell_of(i, j)] * std::min(areas_[i], areas_[j]) * kBoundRounding;
+  }
   /// F_ij, at most 1: the fraction of the power leaving i that arrives at j, and its bound.        @eq IU.6-3
-  Bounded factor(std::size_t i, std::size_t j) const;
+  Bounded factor(std::size_t i, std::size_t j) const {
+    const double value = exchange(i, j) / areas_[i];
+    // A composed surface may come out above 1 by its bound; the truth does not.
+    return {std::min(1.0, value), exchange_bound(i, j) / areas_[i] * kBoundRounding + kUnitRoundoff * value};
+  }
 
   /// Contract: i and j not both in different threads' tiles; bound not negative
   void set(std::size_t i, std::size_t j, const Bounded& exchange);
@@ -108,6 +123,10 @@ class ExchangeMatrix {
 
  private:
   friend ExchangeMatrix in_memory(const ExchangeMatrix& matrix);
+  /// Roundings on the way of a bound into its float and out again: a division, a product, each side.
+  static constexpr double kBoundRounding = 1 + 8 * kUnitRoundoff;
+
+  std::size_t cell_of(std::size_t i, std::size_t j) const { return layout_.cell_of(std::min(i, j), std::max(i, j)); }
   std::uint64_t checksum(std::size_t tile) const;
 
   std::vector<double> areas_;
