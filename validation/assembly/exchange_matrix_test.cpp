@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/assembly/exchange_matrix.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/assembly/form_factor_matrix.hpp"
@@ -143,6 +145,53 @@ TEST(ExchangeMatrix, HasTheSameBitsHoweverItIsMade) {
   EXPECT_TRUE(all_agree(wrong, decided));
   EXPECT_EQ(one.report().defect, pieces.report().defect);
   EXPECT_EQ(one.report().obstructed, four.report().obstructed);
+}
+
+// CLAIM      A pair has the same bits alone as in its tile, and is checked from the other side alone where it is there.
+// ORACLE     metamorphic: every pair asked for by itself.
+// TOLERANCE  none: equality of doubles, and of the counts.
+TEST(ExchangeMatrix, AnswersForAPairAsItDoesAlone) {
+  proves({}, Oracle::metamorphic, "every pair of a room with a partition, alone");
+  const ElementMesh mesh = *mesh_elements(room_with_partition());
+  const ExactExchange method(mesh, {{1e-9, 1e-12}, {1e-3, 1e-6}});
+  std::vector<SurfacePair> pairs;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    for (std::size_t j = i + 1; j < mesh.elements.size(); ++j) pairs.push_back({i, j});
+  }
+  std::vector<Bounded> together(pairs.size());
+  TileReport of_all, of_single;
+  method.find(pairs, together, of_all);
+  std::uint64_t wrong = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    Bounded alone;
+    method.find({&pairs[k], 1}, {&alone, 1}, of_single);
+    wrong += alone.value != together[k].value || alone.bound != together[k].bound;
+  }
+  EXPECT_TRUE(all_agree(wrong, pairs.size()));
+  EXPECT_GT(of_all.checked, of_all.obstructed);
+  EXPECT_TRUE(holds(of_all.checked == of_single.checked && of_all.clear == of_single.clear));
+}
+
+// CLAIM      IU.6-5: an absolute tolerance holds for both factors of a pair: for that from the smaller surface too.
+// ORACLE     exact: bounds of exchange areas against the tolerance times the smaller area.
+// TOLERANCE  none: decisions, but for a float's rounding of the kept bound.
+TEST(ExchangeMatrix, KeepsAnAbsoluteToleranceFromBothSides) {
+  proves({"IU.6-5"}, Oracle::exact, "bounds of exchange areas against the smaller area");
+  Scene scene = room_of({0, 0, 0}, {4, 3, 2});
+  for (std::size_t k = 3; k < 6; ++k) scene.objects[k].subdivision = {{7, 5}, {1, 1}};
+  const ElementMesh mesh = *mesh_elements(scene);
+  const Tolerance asked{0, 1e-4};
+  ExchangeMatrix matrix(areas_of(mesh));
+  EXPECT_TRUE(fill_exchanges(matrix, ExactExchange(mesh, {asked, asked}), asked, {}));
+  std::uint64_t wrong = 0;
+  constexpr double kFloat = 1 + 0x1p-22;
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    for (std::size_t j = i + 1; j < matrix.size(); ++j) {
+      wrong += matrix.exchange_bound(i, j) > asked.absolute * std::min(matrix.areas()[i], matrix.areas()[j]) * kFloat;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, matrix.layout().pairs()));
+  EXPECT_TRUE(holds(matrix.report().beyond == 0));
 }
 
 // CLAIM      Pairs whose bound exceeds the tolerance are counted, and only they.
