@@ -15,21 +15,28 @@ RowClosure row_closure(const ExchangeMatrix& matrix) {
   RowClosure closure;
   closure.sums.resize(n);
   closure.bounds.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    double sum = 0, bound = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      const Bounded factor = matrix.factor(i, j);
-      sum += factor.value;
-      bound += factor.bound;
-      if (factor.bound > closure.largest_bound) {
-        closure.largest_bound = factor.bound;
-        closure.loosest_from = i;
-        closure.loosest_to = j;
-      }
+  const auto take = [&](std::size_t i, std::size_t j) {
+    const Bounded factor = matrix.factor(i, j);
+    closure.sums[i] += factor.value;
+    closure.bounds[i] += factor.bound;
+    if (factor.bound > closure.largest_bound) {
+      closure.largest_bound = factor.bound;
+      closure.loosest_from = i;
+      closure.loosest_to = j;
     }
+  };
+  // Both factors of a pair lie in one cell. Every row takes its columns in ascending order all the same.
+  for (std::size_t i = 0; i < n; ++i) {
+    take(i, i);
+    for (std::size_t j = i + 1; j < n; ++j) {
+      take(i, j);
+      take(j, i);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double sum = closure.sums[i];
     const double rounding = gamma_bound(static_cast<int>(std::min<std::size_t>(2 * n + 2, 1u << 30)));
-    bound = bound * (1 + rounding) + rounding * sum;
-    closure.sums[i] = sum;
+    const double bound = closure.bounds[i] * (1 + rounding) + rounding * sum;
     closure.bounds[i] = bound;
     if (sum <= bound) {
       closure.covered.push_back(i);
