@@ -15,7 +15,7 @@
 #include "etendue/form_factor/gauss_legendre.hpp"
 #include "etendue/form_factor/obstructed.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
-#include "reference/pair_families.hpp"
+#include "reference/pair_geometry.hpp"
 
 namespace {
 

@@ -13,7 +13,7 @@
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/pair_form_factor.hpp"
-#include "reference/pair_families.hpp"
+#include "reference/pair_geometry.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {

@@ -6,36 +6,12 @@
 #include <cstddef>
 #include <numbers>
 
+#include "oracles/corners.hpp"
 #include "support/counter_random.hpp"
 
 namespace etendue::oracle {
 
 namespace {
-
-Point sub(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Point mix(const Point& a, const Point& b, double t) {
-  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-}
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-double norm(const Point& a) {
-  return std::sqrt(dot(a, a));
-}
-
-Point newell(const Corners& c) {
-  Point sum{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < c.size(); ++i) {
-    const Point n = cross(sub(c[i], c[0]), sub(c[i + 1], c[0]));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
-  }
-  return sum;
-}
 
 struct HalfSpace {
   Point normal;

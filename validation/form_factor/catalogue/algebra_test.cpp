@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "form_factor/catalogue/algebra_elements.hpp"
 #include "form_factor/catalogue/algebra_flat.hpp"
 #include "form_factor/catalogue/algebra_round.hpp"
 
