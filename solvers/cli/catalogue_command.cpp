@@ -137,11 +137,11 @@ void declare(Options& options, Request& request) {
 int list(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Request request;
   Options options("catalogue", "Closed-form form factors: the list, the page of one configuration, its value.");
+  options.also("ID [--PARAMETER X ...] [OPTIONS]");
   declare(options, request);
   options.note(
-      "Give an id for its page, and its parameters for its value: `etendue catalogue ID --help` names them.\nLengths "
-      "are in "
-      "any unit, the same for all; angles are in degrees.");
+      "Give an ID for its page, and its parameters for its value: `etendue catalogue ID --help` names them.\nLengths "
+      "are in any unit, the same for all; angles are in degrees.");
   options.example("etendue catalogue");
   options.example("etendue catalogue C-11");
   options.example("etendue catalogue C-11 --a 1 --b 1 --c 1");

@@ -26,6 +26,7 @@
 #include "form_factors_report.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "stop.hpp"
 
 namespace etendue::cli {
 
@@ -133,7 +134,10 @@ class Run {
     if (!output.empty()) {
       if (const auto writable = check_writable({output}); !writable) return fail(writable.error());
     }
-    auto model = read_surfaces(request_.scene);
+    auto model = [&] {
+      const NothingToSave reading;
+      return read_surfaces(request_.scene);
+    }();
     if (!model) return fail(model.error());
     model_ = std::move(model).value();
     for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << note << '\n';
@@ -235,6 +239,10 @@ class Run {
   Result<ExchangeMatrix> begun() const {
     std::vector<double> areas = areas_of(model_.mesh);
     if (request_.common.output.empty()) return ExchangeMatrix(std::move(areas));
+    if (std::error_code absent; request_.resume && !fs::exists(checkpoint_path(), absent)) {
+      err_ << "etendue form-factors: nothing to resume, beginning anew: there is no " << quoted_path(checkpoint_path())
+           << '\n';
+    }
     return open_checkpoint(checkpoint_path(), checkpoint_key(model_, settings()), std::move(areas),
                            request_.resume ? CheckpointStart::resume : CheckpointStart::fresh);
   }

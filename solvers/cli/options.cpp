@@ -57,6 +57,10 @@ void Options::argument(std::string name, std::string help, std::filesystem::path
                          }});
 }
 
+void Options::also(std::string usage) {
+  also_ = std::move(usage);
+}
+
 void Options::flag(std::string name, std::string help, bool& target) {
   add({std::move(name), "", std::move(help), [&target](const std::string&) {
          target = true;
@@ -227,6 +231,7 @@ void Options::print_help(std::ostream& out) const {
   out << summary_ << "\n\nUsage: etendue " << command_;
   if (!options_.empty()) out << " [OPTIONS]";
   for (const auto& argument : positional_) out << ' ' << argument.name;
+  if (!also_.empty()) out << "\n       etendue " << command_ << ' ' << also_;
   out << "\n\n";
 
   const auto title = [this](const Option& o) {

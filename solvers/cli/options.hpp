@@ -25,6 +25,8 @@ class Options {
   Options(std::string command, std::string summary);
 
   void argument(std::string name, std::string help, std::filesystem::path& target);
+  /// A second way to use the command, whose first words it takes itself: "ID [OPTIONS]". Told by --help only.
+  void also(std::string usage);
   void flag(std::string name, std::string help, bool& target);
   void text(std::string name, std::string value, std::string help, std::optional<std::string>& target);
   void path(std::string name, std::string value, std::string help, std::filesystem::path& target);
@@ -66,6 +68,7 @@ class Options {
 
   std::string command_;
   std::string summary_;
+  std::string also_;
   std::vector<Option> positional_;
   std::vector<Option> options_;
   std::vector<std::pair<std::string, std::string>> aliases_;

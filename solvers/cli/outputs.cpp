@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue::cli {
@@ -30,6 +31,11 @@ Result<Done> check_outputs(const std::vector<fs::path>& outputs, const std::vect
     }
   }
   return check_writable(outputs);
+}
+
+std::string scene_line(const SceneFile& file) {
+  const std::string name = file.scene.name.empty() ? "(no name)" : printable(file.scene.name);
+  return name + ", " + counted(file.scene.objects.size(), "object") + ", hash " + file.hash;
 }
 
 int fail(std::ostream& err, const std::string& command, const Error& error) {

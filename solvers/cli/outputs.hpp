@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "etendue/core/result.hpp"
+#include "etendue/io/scene_reader.hpp"
 
 namespace etendue::cli {
 
@@ -21,6 +22,9 @@ namespace etendue::cli {
 /// Errors    usage: it would replace one of `inputs`. input_output: "cannot write 'path': reason".
 [[nodiscard]] Result<Done> check_outputs(const std::vector<std::filesystem::path>& outputs,
                                          const std::vector<std::filesystem::path>& inputs);
+
+/// "room, 5 objects, hash 0123…": how reports name what they are about.
+[[nodiscard]] std::string scene_line(const SceneFile& file);
 
 /// Prints "etendue command: message", whatever it holds as printable text, and returns the exit code.
 int fail(std::ostream& err, const std::string& command, const Error& error);

@@ -22,6 +22,7 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "ray_tree_output.hpp"
+#include "stop.hpp"
 
 namespace etendue::cli {
 
@@ -98,8 +99,7 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
   const TreeLimits& limits = request.render.limits;
   const int side = request.render.samples_per_side;
   const Brightness bright = brightness(exposed(rendering.image, request.exposure));
-  out << "scene       " << printable(file.scene.name) << ", " << file.scene.objects.size() << " objects, hash "
-      << file.hash << '\n'
+  out << "scene       " << scene_line(file) << '\n'
       << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
       << side << " rays a pixel, depth " << limits.depth << ", cutoff " << shortest(limits.cutoff) << '\n'
       << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
@@ -225,15 +225,16 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
   if (const auto complaint = misuse(request)) return options.usage_error(err, *complaint);
-  if (!request.pixel) {
-    if (const auto fit =
-            check_image_path(request.common.output.empty() ? names(request, true).png : request.common.output);
-        !fit)
-      return fail(err, kName, fit.error());
-  }
-  auto read = read_scene(request.scene);
+  auto read = [&] {
+    const NothingToSave reading;
+    return read_scene(request.scene);
+  }();
   if (!read) return fail(err, kName, read.error());
   SceneFile file = std::move(read).value();
+  if (!request.pixel) {  // opens the module for images, which takes longer than refusing a scene
+    const fs::path picture = request.common.output.empty() ? names(request, true).png : request.common.output;
+    if (const auto fit = check_image_path(picture); !fit) return fail(err, kName, fit.error());
+  }
   if (const auto free = check_outputs(outputs(request), file.files); !free) return fail(err, kName, free.error());
   if (request.columns > 0) file.scene = resized(std::move(file.scene), request.columns);
   const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;

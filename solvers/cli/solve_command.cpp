@@ -20,6 +20,7 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "solve_report.hpp"
+#include "stop.hpp"
 
 namespace etendue::cli {
 
@@ -49,7 +50,7 @@ fs::path named(const Request& request, const char* ending) {
 std::vector<std::string> left_out(const Scene& scene) {
   std::vector<std::string> lines;
   if (!scene.lights.empty()) {
-    lines.push_back(std::to_string(scene.lights.size()) + " point or directional lights: only surfaces emit here");
+    lines.push_back(counted(scene.lights.size(), "point or directional light") + ": only surfaces emit here");
   }
   for (const Material& material : scene.materials) {
     if (material.k_s > 0 || material.k_r > 0 || material.k_t > 0) {
@@ -142,9 +143,15 @@ std::vector<fs::path> outputs(const Request& request) {
 /// Everything up to the radiosities; when stopped, the report has no solution.
 Result<SolveReport> solved(const Request& request, std::ostream& err) {
   SolveReport report;
-  auto file = read_scene(request.scene);
+  auto file = [&] {
+    const NothingToSave reading;
+    return read_scene(request.scene);
+  }();
   if (!file) return file.error();
   report.file = std::move(file).value();
+  // Opens the module for images, which takes longer than refusing a scene.
+  const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
+  if (!fit) return fit.error();
   if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
@@ -189,8 +196,6 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   Options options(kName, "Solve the radiosity equation of a scene, and show the result.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
-  if (!fit) return fail(err, kName, fit.error());
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);
   if (!outcome) return fail(err, kName, outcome.error());

@@ -10,6 +10,7 @@
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "outputs.hpp"
 
 namespace etendue::cli {
 
@@ -234,9 +235,7 @@ std::string full_json(const SolveReport& report) {
 
 void print_summary(std::ostream& out, const SolveReport& report) {
   const FormFactorMatrix& matrix = report.matrix;
-  const Scene& scene = report.file.scene;
-  out << "scene        " << printable(scene.name) << ", " << scene.objects.size() << " objects, hash "
-      << report.file.hash << '\n'
+  out << "scene        " << scene_line(report.file) << '\n'
       << "mesh         " << report.mesh.elements.size() << " elements in " << report.mesh.patches << " patches on "
       << report.mesh.faces.size() << " faces\n"
       << "pairs        " << matrix.pairs.clear << " clear, " << matrix.pairs.obstructed << " obstructed, "

@@ -12,4 +12,14 @@ const std::atomic<bool>& stop_requested();
 /// From now on the first SIGINT or SIGTERM raises stop_requested(); the second ends the program at once.
 void watch_stop_signals();
 
+/// While one lives, nothing is there to be saved: the first signal ends the program at once, as a stop (6), even where
+/// it waits for a pipe that nobody writes to. One at a time.
+class NothingToSave {
+ public:
+  NothingToSave();
+  ~NothingToSave();
+  NothingToSave(const NothingToSave&) = delete;
+  NothingToSave& operator=(const NothingToSave&) = delete;
+};
+
 }  // namespace etendue::cli

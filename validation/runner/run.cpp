@@ -91,12 +91,31 @@ Result<std::string> gtest_filter(const std::vector<std::string>& patterns) {
   return filter;
 }
 
-/// Before the first test: a path that cannot be written must not cost the work of a whole run.
+/// Do both name one file, by whatever ways, be it there or not?
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error)) return true;
+  const auto canonical = [&](const auto& path) { return std::filesystem::weakly_canonical(path, error); };
+  const auto first = canonical(std::filesystem::absolute(a)), second = canonical(std::filesystem::absolute(b));
+  return first == second;
+}
+
+/// Before the first test: a path that cannot be written must not cost the work of a whole run, nor one report replace
+/// another.
 Result<Done> check_reports(const Options& options) {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& path : {options.text_path, options.json_path, options.junit_path}) {
-    if (!path.empty()) paths.emplace_back(path);
+  std::vector<std::pair<const char*, std::filesystem::path>> reports;
+  for (const auto& [option, path] : {std::pair("--text", options.text_path), std::pair("--json", options.json_path),
+                                     std::pair("--junit", options.junit_path)}) {
+    if (path.empty()) continue;
+    for (const auto& [other, taken] : reports) {
+      if (!same_file(taken, path)) continue;
+      return Error{ErrorCode::usage, std::string(other) + " and " + option + " name the same file, " +
+                                         quoted_path(path) + ": one would replace the other"};
+    }
+    reports.emplace_back(option, path);
   }
+  std::vector<std::filesystem::path> paths;
+  for (const auto& [option, path] : reports) paths.push_back(path);
   return check_writable(paths);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/material_reader.hpp"
 
+#include "etendue/text/number_text.hpp"
+
 namespace etendue {
 
 namespace {
@@ -36,6 +38,10 @@ Material read_material(const SceneNode& node, const std::string& name) {
   material.eta = number(node, "eta", kRefractiveIndex, 1);
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
+  if (material.k_r + material.k_t > 1) {
+    node.complain("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) +
+                  ", expected at most 1: the rays that go on would bring more than arrives");
+  }
   if (!node.member("rho") && !(material.rho < 1).all()) {
     node.member("k_d")->expected("a number below 1, since \"rho\" is taken from it; give \"rho\" in [0, 1) to keep 1");
   }
@@ -43,16 +49,12 @@ Material read_material(const SceneNode& node, const std::string& name) {
 }
 
 std::optional<Light> read_light(const SceneNode& node, const Placement& placement) {
-  if (!node.is_object()) return std::nullopt;
-  const auto type_node = node.member("type");
-  if (!type_node) {
-    node.complain("found no key \"type\", expected one: it is mandatory here");
+  const auto type = node.kind(light_types());
+  if (!node.is(type ? keys_of(*type + "_light") : keys_of_any({"point_light", "directional_light"})))
     return std::nullopt;
-  }
-  const auto type = type_node->choice(light_types());
-  if (!type || !node.is(keys_of(*type + "_light"))) return std::nullopt;
   const auto intensity_node = node.member("intensity");
   const auto intensity = intensity_node ? intensity_node->colour(kNonNegative) : std::nullopt;
+  if (!type) return std::nullopt;
   const bool is_point = *type == "point";
   const auto where = node.member(is_point ? "position" : "direction");
   const auto vector = where ? is_point ? where->vector() : where->direction() : std::nullopt;

@@ -149,14 +149,9 @@ class Assembly {
   }
 
   void read_object(const SceneNode& node, const Placement& outer, const std::string& prefix) {
-    if (!node.is_object()) return;
-    const auto type_node = node.member("type");
-    if (!type_node) {
-      node.complain("found no key \"type\", expected one: it is mandatory here");
-      return;
-    }
-    const auto type = type_node->choice(object_types());
-    if (!type || !node.is(keys_of(*type))) return;
+    const auto type = node.kind(object_types());
+    if (!type) return read_without_type(node, outer, prefix);
+    if (!node.is(keys_of(*type))) return;
     const auto name_node = node.member("name");
     const std::string name = prefix + (name_node ? name_node->text().value_or("") : node.pointer());
     const auto transform = node.member("transform");
@@ -170,6 +165,16 @@ class Assembly {
     const Subdivision subdivision = read_subdivision(node);
     auto shape = read_shape(node, *type, placement);
     if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
+  }
+
+  /// An object of unknown kind, read for its errors in what objects of all kinds have, and in its children.
+  void read_without_type(const SceneNode& node, const Placement& outer, const std::string& prefix) {
+    if (!node.is(keys_of_any(object_types()))) return;
+    if (const auto name = node.member("name")) (void)name->text();  // reported there, and so on
+    if (const auto transform = node.member("transform")) (void)read_transform(*transform);
+    (void)read_material_name(node);
+    (void)read_subdivision(node);
+    if (const auto children = node.member("children")) read_objects(*children, outer, prefix);
   }
 
   std::optional<std::size_t> read_material_name(const SceneNode& node) {

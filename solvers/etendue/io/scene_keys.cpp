@@ -60,6 +60,17 @@ const KeySet& keys_of(const std::string& name) {
   return *found;
 }
 
+KeySet keys_of_any(const Keys& names) {
+  KeySet any{"any", {"type"}, {}};
+  for (const std::string& name : names) {
+    for (const std::string& key : keys_of(name).all()) {
+      if (const Keys known = any.all(); std::find(known.begin(), known.end(), key) == known.end())
+        any.optional.push_back(key);
+    }
+  }
+  return any;
+}
+
 const Keys& object_types() {
   static const Keys types{"sphere", "polygon", "triangle", "plane", "disc", "cylinder", "box", "mesh", "group"};
   return types;

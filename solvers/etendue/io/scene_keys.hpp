@@ -22,6 +22,9 @@ const std::vector<KeySet>& scene_key_sets();
 /// The kind of that name; the name must exist.
 const KeySet& keys_of(const std::string& name);
 
+/// What an object may have that is one of these kinds, but which is not known: all their keys, "type" alone mandatory.
+KeySet keys_of_any(const std::vector<std::string>& names);
+
 /// The values of "type" of objects and of lights.
 const std::vector<std::string>& object_types();
 const std::vector<std::string>& light_types();

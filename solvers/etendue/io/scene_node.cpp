@@ -157,6 +157,14 @@ std::optional<std::string> SceneNode::choice(const std::vector<std::string>& wor
   return std::nullopt;
 }
 
+std::optional<std::string> SceneNode::kind(const std::vector<std::string>& kinds) const {
+  if (json_->kind != JsonValue::Kind::object) return std::nullopt;
+  const auto type = member("type");
+  if (!type) return std::nullopt;
+  if (auto word = type->choice(kinds)) return word;
+  return type->json().kind == JsonValue::Kind::string ? nearest(type->json().text, kinds) : std::nullopt;
+}
+
 std::optional<Vec3> SceneNode::vector(const Interval& interval) const {
   const auto parts = items(3, 3, "numbers");
   if (!parts) return std::nullopt;

@@ -80,6 +80,9 @@ class SceneNode {
   [[nodiscard]] std::optional<std::string> text() const;
   /// One of these words; the nearest is suggested.
   [[nodiscard]] std::optional<std::string> choice(const std::vector<std::string>& words) const;
+  /// What "type" says, of an object that should be one of these kinds: a misspelt one is reported and guessed, so that
+  /// the other errors of the object can be found too. A missing one is left to is().
+  [[nodiscard]] std::optional<std::string> kind(const std::vector<std::string>& kinds) const;
   [[nodiscard]] std::optional<Vec3> vector(const Interval& interval = kAnyNumber) const;
   [[nodiscard]] std::optional<Vec3> direction() const;                      ///< unit vector of a vector other than zero
   [[nodiscard]] std::optional<Rgb> colour(const Interval& interval) const;  ///< one number, or three

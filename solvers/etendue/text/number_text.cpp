@@ -17,8 +17,12 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string counted_errors(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " error" : " errors");
+  return counted(count, "error");
 }
 
 }  // namespace etendue
