@@ -217,6 +217,7 @@ TEST(FormFactorsCommand, ResumesAfterAnInterruption) {
   EXPECT_TRUE(holds(differs.code == 3 && has(differs.err, "'screen'"))) << differs.err;
   folder.add("slow.json", slow_scene(cells));
   const Ended again = run_etendue(with({output, "--resume"}));
+  EXPECT_TRUE(holds(!has(again.err, "nothing to resume"))) << again.err;
   EXPECT_TRUE(again.code == 0 || again.code == 4) << again.err;
   const Ended undisturbed = run_etendue(with({whole, "--threads", "1"}));
   EXPECT_EQ(undisturbed.code, again.code);
@@ -321,6 +322,21 @@ TEST(FormFactorsCommand, ReportsAllErrorsAtOnce) {
                                ":5: found unknown record 'Z', expected one of T C F V S M N O X / E *\n" + path +
                                ":6: surface 1 'a', corner 3: found '9', expected a vertex in [1, 3]\n3 errors\n";
   EXPECT_TRUE(holds(ended.err == expected)) << ended.err;
+}
+
+// CLAIM      --resume where no run was interrupted begins anew, and says so.
+// ORACLE     exact: the message to the letter; the folder's contents.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, SaysThatThereIsNothingToResume) {
+  proves({}, Oracle::exact, "the message and the folder's contents");
+  const TemporaryFolder folder;
+  const std::string output = (folder.path() / "m.csv").string();
+  const Ended ended = form_factors({furnace(), "--resume", "--quiet", "-o", output});
+  EXPECT_TRUE(holds(ended.code == 0)) << ended.code;
+  EXPECT_TRUE(holds(ended.err == "etendue form-factors: nothing to resume, beginning anew: there is no '" + output +
+                                     ".checkpoint'\n"))
+      << ended.err;
+  EXPECT_EQ(folder.contents(), "m.csv");
 }
 
 // CLAIM      Wrong use is refused with exit code 2: another ending, an output that would replace the scene, --resume

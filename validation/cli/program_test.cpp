@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <sstream>
@@ -207,6 +211,41 @@ TEST(Program, KeepsItsStreamsClean) {
   EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 6));
 }
 
+// CLAIM      The pictures that solve makes carry how they were made; --samples and --exposure are in them.
+// ORACLE     exact: the attributes of both files.
+// TOLERANCE  none.
+TEST(Program, SignsThePicturesOfSolve) {
+  proves({}, Oracle::exact, "the attributes of both pictures");
+  const TemporaryFolder folder;
+  const std::string scene = (source_root() / "scenes" / "furnace" / "scene.json").string();
+  const Ended ended = run_etendue({"solve", scene, "--quiet", "--samples", "2", "--exposure", "0.25", "--tolerance",
+                                   "1e-5", "--output", (folder.path() / "out.png").string()});
+  EXPECT_EQ(ended.out + ended.err, "");
+  const std::string report = read_text(folder.path() / "out.json");
+  const auto attribute = [&](const char* file, const char* name) {
+    const auto metadata = read_image_metadata(folder.path() / file);
+    if (!metadata) return metadata.error().message;
+    for (const auto& [key, value] : *metadata) {
+      if (key == name) return value;
+    }
+    return std::string("none");
+  };
+  for (const char* file : {"out.exr", "out.png"}) {
+    EXPECT_TRUE(holds(attribute(file, "etendue:version") == version())) << file;
+    EXPECT_TRUE(holds(attribute(file, "etendue:method") == "radiosity, full matrix, Gouraud")) << file;
+    EXPECT_TRUE(holds(attribute(file, "etendue:scene") == "furnace")) << file;
+    EXPECT_TRUE(holds(report.find("\"hash\": \"" + attribute(file, "etendue:scene_hash") + "\"") != std::string::npos))
+        << file;
+    EXPECT_TRUE(holds(attribute(file, "etendue:solver") == "gauss")) << file;
+    EXPECT_TRUE(holds(attribute(file, "etendue:tolerance") == "1e-05")) << file;
+    EXPECT_TRUE(holds(attribute(file, "etendue:samples_per_side") == "2")) << file;
+  }
+  EXPECT_TRUE(holds(attribute("out.exr", "etendue:values") == "radiosity [W/m2]"));
+  EXPECT_TRUE(holds(attribute("out.exr", "etendue:exposure") == "none"));
+  EXPECT_TRUE(holds(attribute("out.png", "etendue:values") == "radiosity times exposure"));
+  EXPECT_TRUE(holds(attribute("out.png", "etendue:exposure") == "0.25"));
+}
+
 // CLAIM      An interrupted rendering ends with 6, having saved what was done; the interruption is no crash.
 // ORACLE     exact: exit code and the folder's contents.
 // TOLERANCE  none; the rendering of 8·10⁸ rays would last minutes, the program is there after milliseconds.
@@ -224,6 +263,34 @@ TEST(Program, SavesWhatIsDoneWhenInterrupted) {
   EXPECT_EQ(ended.code, 6) << ended.err;
   EXPECT_EQ(folder.contents(), "a.incomplete.exr a.incomplete.png large.json");
   EXPECT_TRUE(all_agree(::testing::Test::HasFailure() ? 1 : 0, 2));
+}
+
+// CLAIM      One signal ends a program that waits for its scene, with 6: nobody has opened the pipe, or nobody writes to it.
+// ORACLE     exact: exit code and message; the folder stays as it was.
+// TOLERANCE  none; the program waits for ever, the signal comes when it has waited for about a second.
+TEST(Program, IsStoppedWhileItWaitsForItsScene) {
+  proves({}, Oracle::exact, "exit code, message and the folder's contents");
+  const TemporaryFolder folder;
+  const std::string pipe = (folder.path() / "scene.json").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ProcessOptions options;
+  options.folder = folder.path();
+  options.interrupt_after = 1;
+  const auto stops = [&](const std::string& command, const std::string& scene) {
+    const Ended ended = run_etendue({command, scene}, options);
+    const bool right = ended.code == 6 && ended.err == "etendue: stopped before anything was done\n" &&
+                       folder.contents().find(' ') == std::string::npos;
+    EXPECT_TRUE(holds(right)) << command << " ended with " << ended.code << ", signal " << ended.signal << ", holds "
+                              << folder.contents() << "\n"
+                              << ended.err;
+  };
+  stops("solve", pipe);
+  const int writer = ::open(pipe.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(writer, 0);
+  stops("render", pipe);
+  ::close(writer);
+  std::filesystem::rename(pipe, folder.path() / "scene.vs3");
+  stops("form-factors", (folder.path() / "scene.vs3").string());
 }
 
 // CLAIM      No output of a command replaces the scene it was made from: refused with 2, the scene as it was.

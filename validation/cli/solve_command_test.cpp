@@ -260,5 +260,140 @@ TEST(SolveCommand, RefusesAnExposureOfZero) {
   }
 }
 
+/// The numbers of a line of text, without its first word.
+std::vector<double> numbers(const std::string& text, const std::string& first_word) {
+  const std::size_t begin = text.find("\n" + first_word + " ");
+  if (begin == std::string::npos) return {};
+  std::string line = text.substr(begin + 1 + first_word.size(), text.find('\n', begin + 1) - begin - 1);
+  line = line.substr(0, line.find('\n'));
+  std::vector<double> found;
+  const std::regex number(R"((^|[ (])(-?[0-9][0-9.]*(e[+-]?[0-9]+)?))");
+  for (std::sregex_iterator at(line.begin(), line.end(), number), end; at != end; ++at)
+    found.push_back(std::stod((*at)[2]));
+  return found;
+}
+
+// CLAIM      What solve reports of the furnace are the furnace's facts: elements, pairs, row sums, power, exposure.
+// ORACLE     closed form: the box of 2 × 3 × 1.5 m, E/(1 − ρ) on every element, E A emitted and absorbed.
+// TOLERANCE  the bounds that the report states; 1e-12 of what is summed over 48 elements in double.
+TEST(SolveCommand, ReportsTheFactsOfTheFurnace) {
+  proves({}, Oracle::closed_form, "the facts of a box that glows evenly");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("box.json", furnace_text());
+  const Ended ended = solve(scene, {"--json", "--solver", "eigen", "--exposure", "0.125"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json report = Json::parse(read_text(folder.path() / "out.json")), printed = Json::parse(ended.out);
+  EXPECT_TRUE(holds(report["status"] == "solved" && report["rows_done"] == 48 && report["exposure"] == 0.125));
+  EXPECT_TRUE(holds(report["scene"]["name"] == "furnace" && report["scene"]["metres_per_unit"] == 1));
+  EXPECT_TRUE(holds(report["settings"]["solver"] == "eigen" && report["settings"]["tolerance_obstructed"] == 1e-6));
+  EXPECT_TRUE(holds(report["mesh"] == Json({{"faces", 6}, {"patches", 6}, {"elements", 48}})));
+  EXPECT_TRUE(holds(printed["files"]["scene"] == scene.string() && printed["seconds"] > 0));
+  for (const std::string kind : {"json", "exr", "png"}) {
+    EXPECT_TRUE(holds(printed["files"][kind] == (folder.path() / ("out." + kind)).string()));
+  }
+  // Elements of one wall do not see each other: 12, 12, 10, 4, 9 and 1 of them.
+  const Json& pairs = report["pairs"];
+  EXPECT_TRUE(holds(pairs["averted"] == 66 + 66 + 45 + 6 + 36 && pairs["clear"] == 48 * 47 / 2 - 219)) << pairs;
+  EXPECT_TRUE(holds(pairs["blocked"] == 0 && pairs["obstructed"] == 0)) << pairs;
+  EXPECT_TRUE(holds(report["missed_tolerance"] == Json({{"pairs", 0}})));
+  const Json& closure = report["closure"];
+  EXPECT_TRUE(holds(closure["state"] == "closed" && closure["elements_closed"] == 48 && closure["elements_open"] == 0 &&
+                    closure["elements_exceeded"] == 0 && closure["elements_facing_void"] == 0));
+  EXPECT_TRUE(holds(closure["covered_elements"] == Json::array()));
+
+  constexpr double kSummed = 1e-12;  // 48 roundings of 2^-53 and those of the elements' areas, with room
+  const double area = 2 * (2 * 3 + 3 * 1.5 + 2 * 1.5), emission[] = {1.5, 2, 1}, rho[] = {0.5, 0.75, 0.9};
+  double areas = 0, worst = 0;
+  for (const Json& element : report["elements"]) {
+    areas += element["area"].get<double>();
+    const double defect = std::abs(element["row_sum"].get<double>() - 1);
+    EXPECT_TRUE(within(defect, closure["largest_row_bound"].get<double>()));
+    if (element["element"] == closure["worst_element"]) worst = defect;
+    EXPECT_TRUE(holds(element["material"] == "glowing" && element["reflectance"] == Json(rho) &&
+                      element["emission"] == Json(emission)));
+    const std::string wall = element["object"];
+    const Json& centre = element["centroid"];
+    const Json& normal = element["normal"];
+    if (wall == "ceiling") {
+      EXPECT_TRUE(holds(centre[2] == 1.5 && normal == Json({0, 0, -1})));
+    }
+    if (wall == "right") {
+      EXPECT_TRUE(holds(centre[0] == 2 && normal == Json({-1, 0, 0})));
+    }
+    if (wall == "far") {
+      EXPECT_TRUE(holds(centre[1] == 3 && normal == Json({0, -1, 0})));
+    }
+  }
+  EXPECT_TRUE(near(areas, area, area * kSummed));
+  EXPECT_TRUE(near(worst, closure["defect"].get<double>(), 0));
+  const char* const channels[] = {"red", "green", "blue"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Json& channel = report["channels"][channels[c]];
+    const auto value = [&](const char* key) { return channel[key].get<double>(); };
+    const double power = emission[c] * area;
+    // Every element's radiosity is known to within the bound, and what is absorbed and escapes follows from it.
+    const double known = value("bound_with_form_factors") * area + power * kSummed;
+    EXPECT_TRUE(near(value("emitted_watts"), power, power * kSummed));
+    EXPECT_TRUE(near(value("absorbed_watts"), power, known));
+    EXPECT_TRUE(near(value("escaped_watts"), 0, known + power / (1 - rho[c]) * closure["total_bound"].get<double>()));
+    EXPECT_TRUE(within(std::abs(value("balance_defect_watts")), known));
+    // ‖B − B*‖ ≤ residual / (1 − ρ Σ F), and the bound counts the residual's rounding as well; without it none is 0.
+    EXPECT_TRUE(holds(value("bound") >= value("residual") / (1 - rho[c]) * (1 - kSummed)));
+    EXPECT_TRUE(holds(value("bound_with_form_factors") > value("bound") && value("bound") > 0));
+    EXPECT_TRUE(within(value("backward_error"), 48 * 0x1p-52));
+  }
+}
+
+// CLAIM      The text that solve prints says what its JSON says, with four digits.
+// ORACLE     identity: the two reports of one scene, with and without --json.
+// TOLERANCE  four digits: 5e-4 of each number.
+TEST(SolveCommand, PrintsWhatItsReportHolds) {
+  proves({}, Oracle::identity, "text against JSON");
+  const TemporaryFolder folder;
+  const std::regex divisions(", \"elements\": \\[[0-9], [0-9]\\]");
+  std::string text = std::regex_replace(furnace_with(kScreen), divisions, "");
+  text = replaced(text, "\"name\": \"furnace\",\n", "");
+  text = replaced(text, "\"materials\"", R"("lights": [{"type": "point", "position": [1, 1, 1], "intensity": 1}],
+  "materials")");
+  text = replaced(text, "\"glowing\": {", "\"glowing\": {\"k_s\": 0.5, ");
+  const auto scene = folder.add("screened.json", text);
+  const Ended ended = solve(scene, {"--tolerance", "1e-3"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err,
+            "etendue solve: left out: 1 point or directional light: only surfaces emit here\n"
+            "etendue solve: left out: k_s, k_r and k_t of material 'glowing': every surface is ideally diffuse here\n");
+  const Json report = Json::parse(read_text(folder.path() / "out.json"));
+  EXPECT_TRUE(holds(
+      ("\n" + ended.out)
+          .find("\nscene        (no name), 7 objects, hash " + report["scene"]["hash"].get<std::string>() + "\n") == 0))
+      << ended.out;
+  EXPECT_TRUE(holds(says(ended, "\nclosure      " + report["closure"]["state"].get<std::string>() + ": ")))
+      << ended.out;
+  const auto agree = [&](const std::string& word, const std::vector<Json>& expected) {
+    const auto found = numbers("\n" + ended.out, word);
+    EXPECT_TRUE(holds(found.size() >= expected.size())) << word << "\n" << ended.out;
+    for (std::size_t k = 0; k < std::min(found.size(), expected.size()); ++k) {
+      const double whole = expected[k].get<double>();
+      EXPECT_TRUE(near(found[k], whole, 5e-4 * std::abs(whole))) << word << ", number " << k << "\n" << ended.out;
+    }
+  };
+  agree("mesh", {report["mesh"]["elements"], report["mesh"]["patches"], report["mesh"]["faces"]});
+  const Json& pairs = report["pairs"];
+  agree("pairs", {pairs["clear"], pairs["obstructed"], pairs["blocked"], pairs["averted"]});
+  const Json& reciprocity = report["reciprocity"];
+  agree("reciprocity", {reciprocity["defect"], reciprocity["pairs_checked"], reciprocity["pairs_beyond_bounds"]});
+  agree("tolerance", {report["settings"]["tolerance_obstructed"], reciprocity["pairs_refined"]});
+  for (const std::string channel : {"red", "green", "blue"}) {
+    const Json& c = report["channels"][channel];
+    agree(channel, {c["residual"], c["bound"], c["bound_with_form_factors"], c["emitted_watts"], c["absorbed_watts"],
+                    c["escaped_watts"], c["balance_defect_watts"]});
+  }
+  agree("vertices", {report["vertices"]["distinct"], report["vertices"]["clamped"]});
+  agree("exposure", {report["exposure"], 1 / report["exposure"].get<double>()});
+  for (const std::string kind : {"exr", "png", "json"}) {
+    EXPECT_TRUE(holds(says(ended, "\n" + (folder.path() / ("out." + kind)).string() + "\n"))) << ended.out;
+  }
+}
+
 }  // namespace
 }  // namespace etendue::validation

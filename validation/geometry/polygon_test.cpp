@@ -58,14 +58,14 @@ bool names(const std::string& message, const std::string& what) {
 const std::vector<Vec2> kComb = {{0, 0}, {6, 0}, {6, 4}, {5, 4}, {5, 1}, {4, 1},
                                  {4, 3}, {3, 3}, {3, 1}, {2, 1}, {1, 4}, {0, 4}};
 
-// CLAIM      IU.5.6.2: the Jordan curve test is exact for convex and concave polygons: random points, points whose
-//            half-line runs through corners and along edges, and points 2^-45 off an edge.
+// CLAIM      IU.5.6.2: the Jordan curve test is exact for convex and concave polygons: random points, points 2^-45 off an
+//            edge, points whose half-line runs along edges or through a corner, at a grid or anywhere, and 2^-45 beside.
 // ORACLE     exact: CGAL bounded_side_2 over rationals.
 // TOLERANCE  none, but on the boundary, which half belongs to the polygon is the half-open rule's business.
 TEST(Polygon, JordanTestIsExact) {
   proves({"IU.5.6.2"}, Oracle::exact, "CGAL bounded_side_2 over rationals");
   Random random(601);
-  std::uint64_t mismatches = 0, points = 0, boundary = 0, level_with_a_corner = 0;
+  std::uint64_t mismatches = 0, points = 0, boundary = 0, level_with_a_corner = 0, at_a_corner = 0;
   const auto judge = [&](const std::vector<Vec3>& vertices, const Vec3& point, int axis) {
     const int truth = oracle::side_of_polygon(exact(projected(point, axis)), exact_flat(vertices, axis));
     boundary += truth == 0;
@@ -83,6 +83,12 @@ TEST(Polygon, JordanTestIsExact) {
       if (k % 2) p[(axis + 1) % 3] += random.bits() % 2 ? 0x1p-45 : -0x1p-45;
       if (k % 3 == 0) p = vertices[0] + random.in_cube(2);
       judge(vertices, p, axis);
+      // Aimed at a corner, from before and from behind it; in turn exactly, and by 2^-45 above and below.
+      Vec3 aimed = a;
+      aimed[(axis + 1) % 3] -= random.uniform(-0.5, 2);
+      if (k % 3 > 0) aimed[(axis + 2) % 3] += k % 3 == 1 ? 0x1p-45 : -0x1p-45;
+      at_a_corner += projected(aimed, axis).y() == projected(a, axis).y();
+      judge(vertices, aimed, axis);
     }
   }
   const auto comb = lifted(kComb);
@@ -96,6 +102,7 @@ TEST(Polygon, JordanTestIsExact) {
   }
   EXPECT_GT(boundary, 50u);
   EXPECT_GT(level_with_a_corner, 50u);
+  EXPECT_GT(at_a_corner, 2000u);
   EXPECT_TRUE(all_agree(mismatches, points));
 }
 
@@ -127,18 +134,32 @@ TEST(Polygon, BoundaryPointsBelongToOneNeighbour) {
 TEST(Polygon, DiamondAroundTheOriginContainsIt) {
   proves({"E16", "IU.5.6.2"}, Oracle::closed_form, "the centre of a diamond lies inside");
   const std::vector<Vec2> diamond = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  int printed = 0, mended = 0;
+  int printed = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 &p = diamond[i], &q = diamond[(i + 1) % 4];
     // Printed: a vertex on the axis lies on the +u side, so an edge that ends there meets the half-line.
     printed += (p.y() == 0 && p.x() > 0) || (q.y() == 0 && q.x() > 0);
-    // Mended: a vertex on the axis lies above it; edges with both ends on one side do not cross.
-    const bool crosses = (p.y() >= 0) != (q.y() >= 0);
-    mended += crosses && p.x() - p.y() * (q.x() - p.x()) / (q.y() - p.y()) > 0;
   }
   EXPECT_TRUE(near(printed, 2, 0)) << "even: outside";
-  EXPECT_TRUE(near(mended, 1, 0)) << "odd: inside";
-  EXPECT_TRUE(holds(encloses(lifted(diamond), Vec3::Zero(), 2)));
+  // Mended, in the library: from every start, in both senses, along every axis.
+  std::uint64_t wrong = 0, decided = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = [&](double u, double v) -> Vec3 {
+      return u * Vec3::Unit((axis + 1) % 3) + v * Vec3::Unit((axis + 2) % 3);
+    };
+    for (int start = 0; start < 8; ++start) {
+      std::vector<Vec3> corners;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const Vec2& p = diamond[(static_cast<std::size_t>(start) + (start < 4 ? i : 4 - i)) % 4];
+        corners.push_back(at(p.x(), p.y()));
+      }
+      for (const double u : {-1.5, -0.5, 0.0, 0.5, 1.5}) {
+        ++decided;
+        wrong += encloses(corners, at(u, 0), axis) != (std::abs(u) < 1);
+      }
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, decided));
 }
 
 // CLAIM      G9: the normal from the first three vertices is reversed at a reflex start and undefined for collinear

@@ -61,6 +61,8 @@ const std::vector<Planted>& planted_errors() {
        R"(found 1, expected a number below 1, since "rho" is taken from it; give "rho" in [0, 1) to keep 1)"},
       {R"("n": 40)", R"("n": 0.5)", 5, "/materials/gloss/n", "found 0.5, expected a number in [1, 1e+06]"},
       {R"("eta": 1.5)", R"("eta": true)", 7, "/materials/glass/eta", "found true, expected a number in [0.1, 10]"},
+      {R"("mirror": {"k_r": 0.9})", R"("mirror": {"k_r": 0.9, "k_t": 0.2})", 10, "/materials/mirror",
+       R"(found "k_r" + "k_t" = 1.1, expected at most 1: the rays that go on would bring more than arrives)"},
       {R"("mirror": {"k_r": 0.9})", R"("mirror": {"k_r": 0.9}, "wall": {})", 24, "/materials/wall",
        "found the key a second time, expected each key once"},
       {R"("type": "directional")", R"("type": "directonal")", 8, "/lights/1/type",
@@ -185,6 +187,61 @@ TEST(SceneErrors, AreAllReportedAtOnce) {
                                           "7 errors"};
   EXPECT_EQ(pointers, expected);
   EXPECT_TRUE(all_agree(pointers == expected ? 0 : 1, 1));
+}
+
+// CLAIM      An object or a light whose type is missing, misspelt or of another kind does not hide its other errors.
+// ORACLE     exact: errors planted in objects written for it, one a line.
+// TOLERANCE  none: places and numbers are known.
+TEST(SceneErrors, AreNotHiddenByATypeThatIsNone) {
+  proves({}, Oracle::exact, "errors planted one a line");
+  const TemporaryFolder folder;
+  const std::string text = R"({"format": "etendue-scene", "version": 1, "unit": "m", "materials": {"wall": {}},
+"camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 60, "resolution": [4, 4]},
+"lights": [{"type": "pont",
+  "intensity": -1, "position": [0, 0, 0]}, {
+  "intensity": -1}],
+"objects": [{"type": "spher",
+  "centre": [0, 0, "1"],
+  "radius": -1,
+  "material": "wall"}, {
+  "material": "wal",
+  "elements": [0, 1],
+  "colour": "red"}, {"type": 5,
+  "name": 7,
+  "material": "wall",
+  "children": [
+   {"type": "disc", "centre": [0, 0, 0], "normal": [0, 0, 0], "radius": 1, "material": "wall"}],
+  "transform": 1}]})";
+  std::istringstream lines(message_of(folder.add("scene.json", text)));
+  std::vector<std::string> found;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t place = line.find(".json:");
+    if (place == std::string::npos) {
+      found.push_back(line);
+      continue;
+    }
+    const std::size_t pointer = line.find(": /", place);
+    found.push_back(line.substr(place + 6, line.find(':', place + 6) - place - 6) + " " +
+                    line.substr(pointer + 2, line.find(": ", pointer + 2) - pointer - 2));
+  }
+  const std::vector<std::string> expected{"3 /lights/0/type",
+                                          "4 /lights/0/intensity",
+                                          "4 /lights/1",
+                                          "5 /lights/1/intensity",
+                                          "6 /objects/0/type",
+                                          "7 /objects/0/centre/2",
+                                          "8 /objects/0/radius",
+                                          "9 /objects/1",
+                                          "10 /objects/1/material",
+                                          "11 /objects/1/elements/0",
+                                          "12 /objects/1/colour",
+                                          "12 /objects/2/type",
+                                          "13 /objects/2/name",
+                                          "16 /objects/2/children/0/normal",
+                                          "17 /objects/2/transform",
+                                          "15 errors"};
+  EXPECT_EQ(found, expected);
+  EXPECT_TRUE(all_agree(found == expected ? 0 : 1, expected.size()));
 }
 
 // CLAIM      A file that is no JSON is refused at the place where it stops being JSON, however it fails.

@@ -47,6 +47,15 @@ with tempfile.TemporaryDirectory() as folder:
     suites = xml.etree.ElementTree.parse(junit_path).getroot()
     if len(claims) < 130 or suites.get("tests") != "1":
         complaints.append("the reports of the real program")
+    # One file, called by two names.
+    os.symlink(folder, os.path.join(folder, "link"))
+    for other in (json_path, os.path.join(folder, "link", "a.json"), os.path.join(folder, ".", "a.json")):
+        demand("two reports in one file are refused before the run", ["--json", json_path, "--text", other], 2,
+               f"etendue-validate: --text and --json name the same file, '{json_path}': one would replace the other\n")
+    new = os.path.join(folder, "new")
+    demand("so they are where the file is not there yet", ["--junit", new, "--json", os.path.join(folder, "link", "new")],
+           2, "--json and --junit name the same file")
+    os.remove(os.path.join(folder, "link"))
     # Room runs out: of the three reports that belong together none appears, and the message names the user's path.
     paths = {kind: os.path.join(folder, "b." + kind) for kind in ("text", "json", "junit")}
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (16384, 16384))
