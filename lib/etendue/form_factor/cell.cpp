@@ -37,6 +37,12 @@ Vec2 Cell::centre() const {
   return sum / size_;
 }
 
+double Cell::reach() const {
+  double reach = 0;
+  for (int i = 1; i < size_; ++i) reach = std::max(reach, ((*this)[i] - (*this)[0]).cwiseAbs().sum());
+  return reach;
+}
+
 Vec2 Cell::longest() const {
   Vec2 longest = Vec2::Zero();
   for (int i = 0; i < size_; ++i) {
@@ -69,16 +75,15 @@ Cell::Halves Cell::cut(const Vec2& normal, double level) const {
 }
 
 bool crosses(const CriticalLine& line, const Cell& cell) {
-  constexpr double kTouch = 0x1p-40;
-  double below = 0, above = 0, reach = 0;
+  double below = 0, above = 0;
   std::array<double, Cell::kMostCorners> heights{};
   for (int i = 0; i < cell.size(); ++i) {
     const double h = line.height(cell[i]);
     heights[static_cast<std::size_t>(i)] = h;
     below = std::min(below, h);
     above = std::max(above, h);
-    reach = std::max(reach, (cell[i] - cell[0]).cwiseAbs().sum());
   }
+  const double reach = cell.reach();
   if (std::min(-below, above) <= kTouch * reach) return false;
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (int i = 0; i < cell.size(); ++i) {

@@ -9,6 +9,10 @@
 
 namespace etendue {
 
+/// A line that comes nearer than this share of a cell's size to its outline is not drawn: the strip would hold nothing
+/// that counts, and be of the corners' rounding.
+inline constexpr double kTouch = 0x1p-40;
+
 /// A convex polygon in the source's plane, counter-clockwise.
 class Cell {
  public:
@@ -21,6 +25,8 @@ class Cell {
   const Vec2& operator[](int i) const { return corners_[static_cast<std::size_t>(i)]; }
   double area() const;
   Vec2 centre() const;
+  /// No corner is farther than this from the first.
+  double reach() const;
   /// The longest distance between two corners, and the vector.
   Vec2 longest() const;
 
@@ -40,7 +46,7 @@ struct Cell::Halves {
 };
 
 /// Whether the stretch of the line passes through the inside of the cell. Along a cell's own side, by rounding, it does
-/// not: a strip narrower than 2^-40 of the cell would hold nothing that counts.
+/// not (kTouch).
 [[nodiscard]] bool crosses(const CriticalLine& line, const Cell& cell);
 
 /// The zone cut along every critical line, each cell by the whole line where the stretch meets it: no line passes through

@@ -55,7 +55,7 @@ void add(ShadowView& view, Integrand integrand, const Vec2& c0, const Vec2& c1, 
   const auto want = integrand == Integrand::hidden ? ShadowView::Want::hidden : ShadowView::Want::both;
   const Vec2 du = c1 - c0, dv = c3 - c0, duv = c2 - c1 - c3 + c0;
   std::array<double, kMost> across{};
-  double tail = 0;
+  std::array<double, 2> tails{};
   for (std::size_t i = 0; i < rule.n; ++i) {
     double along = 0;
     for (std::size_t j = 0; j < rule.n; ++j) {
@@ -71,10 +71,11 @@ void add(ShadowView& view, Integrand integrand, const Vec2& c0, const Vec2& c1, 
       sum.low = std::min(sum.low, f);
       sum.high = std::max(sum.high, f);
     }
-    tail = std::max(tail, std::abs(along));
+    tails[1] = std::max(tails[1], std::abs(along));
   }
-  for (std::size_t j = 0; j < rule.n; ++j) tail = std::max(tail, std::abs(across[j]));
-  sum.tail += tail;
+  for (std::size_t j = 0; j < rule.n; ++j) tails[0] = std::max(tails[0], std::abs(across[j]));
+  sum.tail += std::max(tails[0], tails[1]);
+  sum.tails = tails;
   sum.evaluations += static_cast<int>(rule.n * rule.n);
 }
 
@@ -104,11 +105,13 @@ CellSum integrate(ShadowView& view, Integrand integrand, const Cell& cell, std::
   const auto corner = [&](int i) -> const Vec2& { return cell[(std::max(apex, 0) + i) % size]; };
   if (apex >= 0) {
     for (int i = 1; i + 1 < size; ++i) add(view, integrand, corner(0), corner(i), corner(i + 1), corner(0), rule, sum);
+    sum.tails = {};
     return sum;
   }
   for (int i = 1; i + 1 < size; i += 2) {
     add(view, integrand, corner(0), corner(i), corner(i + 1), corner(i + 2 < size ? i + 2 : 0), rule, sum);
   }
+  if (size != 4) sum.tails = {};
   return sum;
 }
 

@@ -16,9 +16,11 @@ struct CellSum {
   double value = 0;
   double low = 1;  ///< least and greatest of the samples
   double high = 0;
-  double tail =
-      0;  ///< sum over the quadrilaterals of area × the largest coefficient of the highest Legendre polynomial
-          ///< that the nodes resolve, of all rows and columns of nodes
+  /// Sum over the quadrilaterals of area × the largest coefficient of the highest Legendre polynomial that the nodes
+  /// resolve, of all rows and columns of nodes.
+  double tail = 0;
+  /// Of a cell of four corners without a collapsed one: the same along its first side, and along the next.
+  std::array<double, 2> tails{};
   int evaluations = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "etendue/form_factor/critical_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -38,27 +39,37 @@ class Collector {
 
   /// Between the corners and edges of two loops; `past` where the line of sight has to go on to the receiver.
   void add_pair(std::span<const Vec3> first, std::span<const Vec3> second, bool past) {
-    for (const Vec3& corner : first) add_corner(corner, second, past);
-    for (const Vec3& corner : second) add_corner(corner, first, past);
+    add_corners(first, second, past);
+    add_corners(second, first, past);
     add_horizon(first, second);
   }
 
   std::vector<CriticalLine> take() { return std::move(lines_); }
 
  private:
-  void add_corner(const Vec3& corner, std::span<const Vec3> loop, bool past) {
-    for (std::size_t j = 0; j < loop.size(); ++j) add(corner, loop[j], loop[j + 1 < loop.size() ? j + 1 : 0], past);
+  /// A corner and the two it is joined to.
+  struct Corner {
+    Vec3 at, before, after;
+  };
+
+  void add_corners(std::span<const Vec3> corners, std::span<const Vec3> loop, bool past) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (!(corners[i].z() > 0)) continue;
+      const Corner corner{corners[i], corners[i > 0 ? i - 1 : corners.size() - 1],
+                          corners[i + 1 < corners.size() ? i + 1 : 0]};
+      for (std::size_t j = 0; j < loop.size(); ++j) add(corner, loop[j], loop[j + 1 < loop.size() ? j + 1 : 0], past);
+    }
   }
 
-  void add(const Vec3& corner, const Vec3& a, const Vec3& b, bool past) {
-    if (!(corner.z() > 0)) return;
-    const Vec3 normal = (a - corner).cross(b - corner);
+  void add(const Corner& corner, const Vec3& a, const Vec3& b, bool past) {
+    const Vec3 normal = (a - corner.at).cross(b - corner.at);
     const double size = normal.head<2>().norm();
     if (!(size > 0)) return;  // coincident points, or a plane that never meets the source's
-    CriticalLine line{normal.head<2>() / size, normal.dot(corner) / size, kInfinity, -kInfinity};
-    extend(line, corner, a, b);
-    extend(line, corner, b, a);
-    if (past && receiver_is_convex_) clip_past(line, corner);
+    CriticalLine line{normal.head<2>() / size, normal.dot(corner.at) / size, kInfinity, -kInfinity};
+    if (!meets_zone(line)) return;
+    extend(line, corner.at, a, b);
+    extend(line, corner.at, b, a);
+    if (past && receiver_is_convex_) clip_past(line, corner, normal);
     keep(line);
   }
 
@@ -79,16 +90,31 @@ class Collector {
     (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
   }
 
-  /// Keeps the stretch from which the corner is seen against the receiver.
-  void clip_past(CriticalLine& line, const Vec3& corner) const {
+  /// Keeps the stretch from which the corner is seen against the receiver. Where an edge of the corner lies in the plane of
+  /// the event, as parallel edges do, the two edges cover one another there at once: then all of the edge counts.
+  void clip_past(CriticalLine& line, const Corner& corner, const Vec3& plane) const {
+    constexpr double kInPlane = 0x1p-40;  // far above what rounding lifts an edge out of it; a little more is only kept
     const Vec2 foot = line.level * line.normal, direction(-line.normal.y(), line.normal.x());
+    const double size = kInPlane * plane.norm();
+    std::array<Vec3, 3> points{corner.at};
+    std::size_t count = 1;
+    for (const Vec3* other : {&corner.before, &corner.after}) {
+      const Vec3 edge = *other - corner.at;
+      if (std::abs(plane.dot(edge)) <= size * edge.norm()) points[count++] = *other;
+    }
     for (std::size_t i = 0; i < receiver_.size(); ++i) {
-      // Seen from the source the receiver runs clockwise: inside, the corner lies on the negative side.
-      const Side side = side_of(receiver_[i], receiver_[(i + 1) % receiver_.size()], corner);
-      const double at_foot = side.at(foot), slope = side.gradient.dot(direction);
-      if (slope > 0) line.end = std::min(line.end, -at_foot / slope);
-      if (slope < 0) line.begin = std::max(line.begin, -at_foot / slope);
-      if (slope == 0 && at_foot > 0) line.end = -kInfinity;
+      double first = kInfinity, last = -kInfinity;
+      for (std::size_t k = 0; k < count; ++k) {
+        // Seen from the source the receiver runs clockwise: inside, the corner lies on the negative side.
+        const Side side = side_of(receiver_[i], receiver_[(i + 1) % receiver_.size()], points[k]);
+        const double at_foot = side.at(foot), slope = side.gradient.dot(direction);
+        if (slope > 0 || (slope == 0 && at_foot <= 0)) first = -kInfinity;
+        if (slope < 0 || (slope == 0 && at_foot <= 0)) last = kInfinity;
+        if (slope > 0) last = std::max(last, -at_foot / slope);
+        if (slope < 0) first = std::min(first, -at_foot / slope);
+      }
+      line.begin = std::max(line.begin, first);
+      line.end = std::min(line.end, last);
     }
   }
 
@@ -104,15 +130,22 @@ class Collector {
     }
   }
 
-  void keep(CriticalLine line) {
-    double below = 0, above = 0, first = kInfinity, last = -kInfinity;
+  bool meets_zone(const CriticalLine& line) const {
+    double below = 0, above = 0;
     for (const Vec2& v : zone_.corners) {
       below = std::min(below, line.height(v));
       above = std::max(above, line.height(v));
+    }
+    return below < 0 && above > 0;
+  }
+
+  void keep(const CriticalLine& line) {
+    if (!meets_zone(line)) return;
+    double first = kInfinity, last = -kInfinity;
+    for (const Vec2& v : zone_.corners) {
       first = std::min(first, line.along(v));
       last = std::max(last, line.along(v));
     }
-    if (below == 0 || above == 0) return;
     if (line.begin < last && line.end > first && line.begin < line.end) lines_.push_back(line);
   }
 

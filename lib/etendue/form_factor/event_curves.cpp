@@ -2,7 +2,11 @@
 #include "etendue/form_factor/event_curves.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+
+#include "etendue/core/rounding.hpp"
 
 namespace etendue {
 
@@ -14,26 +18,24 @@ Vec3 plane_over(const EventCurve::Edge& edge, const Vec2& x) {
   return (edge.start - eye).cross(edge.end - edge.start);
 }
 
-/// An edge as seen from a point, with the loop it belongs to.
-struct Seen {
-  EventCurve::Edge edge;
-  Vec3 start, end;
-  Vec3 plane;
-  std::size_t loop;
-};
-
-bool cross(const Seen& a, const Seen& b) {
-  if (a.loop == b.loop) return false;
-  return a.plane.dot(b.start) * a.plane.dot(b.end) < 0 && b.plane.dot(a.start) * b.plane.dot(a.end) < 0;
+/// On which side of the plane over the edge from a to b a point lies as seen from the cell: 1 or −1 where that is the same
+/// from all of it, 0 where it changes or the point is on the plane.
+int side(const Vec3& a, const Vec3& b, const Vec3& point, const Cell& cell) {
+  const Vec3 normal = (b - a).cross(point - a);
+  const double level = normal.dot(point), off = kTouch * cell.reach() * normal.head<2>().norm();
+  bool positive = true, negative = true;
+  for (int k = 0; k < cell.size(); ++k) {
+    const double height = level - normal.head<2>().dot(cell[k]);
+    positive = positive && height >= -off;
+    negative = negative && height <= off;
+  }
+  return positive == negative ? 0 : positive ? 1 : -1;
 }
 
-void add_seen(std::vector<Seen>& all, std::span<const Vec3> loop, std::size_t index, const Vec2& x) {
-  const Vec3 eye(x.x(), x.y(), 0);
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 &a = loop[i], &b = loop[i + 1 < loop.size() ? i + 1 : 0];
-    const Vec3 start = a - eye, end = b - eye;
-    all.push_back({{a, b}, start, end, start.cross(end), index});
-  }
+/// Whether all of `edge` lies on one side of `other`, the same from all of the cell.
+bool beside(const EventCurve::Edge& edge, const EventCurve::Edge& other, const Cell& cell) {
+  const int start = side(other.start, other.end, edge.start, cell);
+  return start != 0 && start == side(other.start, other.end, edge.end, cell);
 }
 
 }  // namespace
@@ -52,51 +54,103 @@ double EventCurve::at(const Vec2& x) const {
 }
 
 bool EventCurve::may_cross(const Cell& cell) const {
-  // Edges along the axes make conics of lines that the cells were cut along already, or that vanish everywhere: a value
-  // within the rounding of corners and cuts, compared with the planes' own sizes, is on the curve and beside nothing.
-  constexpr double kOnCurve = 0x1p-36;
-  double size = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Edge &one = edges_[k], &other = edges_[(k + 1) % 3];
+    if (beside(one, other, cell) || beside(other, one, cell)) return false;
+  }
+  // Corners of cells lie off the lines that they were cut along, by rounding or because no line is drawn within kTouch of
+  // a corner. A value that such a move or the rounding of the determinant may have made is on the curve and beside nothing.
+  constexpr double kRoundings = 64 * kUnitRoundoff;
+  double off = 0;
   for (int i = 0; i < cell.size(); ++i) {
-    double product = 1;
-    for (const Edge& edge : edges_) product *= plane_over(edge, cell[i]).norm();
-    size = std::max(size, product);
+    const Vec3 eye(cell[i].x(), cell[i].y(), 0);
+    std::array<double, 3> plane{}, length{}, reach{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      plane[k] = plane_over(edges_[k], cell[i]).norm();
+      length[k] = (edges_[k].end - edges_[k].start).norm();
+      reach[k] = (edges_[k].start - eye).norm() * length[k];
+    }
+    const double slope = length[0] * plane[1] * plane[2] + plane[0] * length[1] * plane[2] + plane[0] * plane[1] * length[2];
+    off = std::max(off, kTouch * cell.reach() * slope + kRoundings * reach[0] * reach[1] * reach[2]);
   }
   bool positive = false, negative = false;
   const auto note = [&](double value) {
-    positive = positive || value > kOnCurve * size;
-    negative = negative || value < -kOnCurve * size;
+    positive = positive || value > off;
+    negative = negative || value < -off;
   };
   // Of the quadratic on each triangle of a fan: values at the corners, 2 f(middle) − (f_i + f_j)/2 at the sides.
   std::array<double, Cell::kMostCorners> values{};
   for (int i = 0; i < cell.size(); ++i) note(values[static_cast<std::size_t>(i)] = at(cell[i]));
-  const auto side = [&](int i, int j) {
+  const auto middle = [&](int i, int j) {
     const double ends = values[static_cast<std::size_t>(i)] + values[static_cast<std::size_t>(j)];
     note(2 * at(0.5 * (cell[i] + cell[j])) - 0.5 * ends);
   };
   for (int i = 1; i < cell.size() && !(positive && negative); ++i) {
-    side(0, i);
-    if (i + 1 < cell.size()) side(i, i + 1);
+    middle(0, i);
+    if (i + 1 < cell.size()) middle(i, i + 1);
   }
   return positive && negative;
 }
 
 namespace {
 
-/// The curves of the edges that cross one another pairwise as seen from x, and may cross the cell.
-void add_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines, const Cell& cell, const Vec2& x,
-                std::vector<EventCurve>& curves) {
-  std::vector<Seen> seen;
-  add_seen(seen, receiver, 0, x);
-  for (std::size_t k = 0; k < outlines.size(); ++k) add_seen(seen, outlines[k], k + 1, x);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (std::size_t j = i + 1; j < seen.size(); ++j) {
-      if (!cross(seen[i], seen[j])) continue;
-      for (std::size_t k = j + 1; k < seen.size(); ++k) {
-        if (!cross(seen[i], seen[k]) || !cross(seen[j], seen[k])) continue;
-        const EventCurve curve(seen[i].edge, seen[j].edge, seen[k].edge);
-        if (std::find(curves.begin(), curves.end(), curve) == curves.end() && curve.may_cross(cell)) {
-          curves.push_back(curve);
-        }
+std::size_t after(std::size_t i, std::size_t size) {
+  return i + 1 < size ? i + 1 : 0;
+}
+
+/// The sides of the corners of one loop of the edges of another.
+class Sides {
+ public:
+  Sides(std::span<const Vec3> corners, std::span<const Vec3> loop, const Cell& cell) : edges_(loop.size()) {
+    signs_.reserve(corners.size() * loop.size());
+    for (const Vec3& corner : corners) {
+      for (std::size_t j = 0; j < loop.size(); ++j) {
+        signs_.push_back(side(loop[j], loop[after(j, loop.size())], corner, cell));
+      }
+    }
+  }
+  /// Whether the ends of the corners' edge i lie on one side of edge j from all of the cell.
+  bool beside(std::size_t i, std::size_t j) const {
+    const int start = signs_[i * edges_ + j], end = signs_[after(i, signs_.size() / edges_) * edges_ + j];
+    return start != 0 && start == end;
+  }
+
+ private:
+  std::size_t edges_;
+  std::vector<int> signs_;
+};
+
+/// Pairs of edges of two loops that may cross in the view.
+struct Crossings {
+  Crossings(std::span<const Vec3> first, std::span<const Vec3> second, const Cell& cell) : size(second.size()) {
+    const Sides there(first, second, cell), back(second, first, cell);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      for (std::size_t j = 0; j < second.size(); ++j) may.push_back(!there.beside(i, j) && !back.beside(j, i));
+    }
+  }
+  bool operator()(std::size_t i, std::size_t j) const { return may[i * size + j]; }
+  bool any() const { return std::find(may.begin(), may.end(), true) != may.end(); }
+  std::size_t size;
+  std::vector<bool> may;
+};
+
+EventCurve::Edge edge(std::span<const Vec3> loop, std::size_t i) {
+  return {loop[i], loop[after(i, loop.size())]};
+}
+
+/// Of edges of `third` with the pairs of `first` and `second` that cross one another.
+void add_curves(std::span<const Vec3> first, std::span<const Vec3> second, const Crossings& pairs,
+                std::span<const Vec3> third, const Cell& cell, std::vector<EventCurve>& curves) {
+  const Crossings with_first(third, first, cell);
+  if (!with_first.any()) return;
+  const Crossings with_second(third, second, cell);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      if (!pairs(i, j)) continue;
+      for (std::size_t k = 0; k < third.size(); ++k) {
+        if (!with_first(k, i) || !with_second(k, j)) continue;
+        const EventCurve curve(edge(third, k), edge(first, i), edge(second, j));
+        if (curve.may_cross(cell)) curves.push_back(curve);
       }
     }
   }
@@ -107,13 +161,15 @@ void add_curves(std::span<const Vec3> receiver, std::span<const Outline> outline
 std::vector<EventCurve> event_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines,
                                      const Cell& cell) {
   std::vector<EventCurve> curves;
-  if (outlines.size() < 2) return curves;
-  const Vec2 centre = cell.centre();
-  add_curves(receiver, outlines, cell, centre, curves);
-  // Events beyond the receiver's outline are not among the critical lines, and may part the cell near its corners.
-  constexpr double kInward = 0.9;
-  for (int i = 0; i < cell.size(); ++i) {
-    add_curves(receiver, outlines, cell, centre + kInward * (cell[i] - centre), curves);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    for (std::size_t j = i + 1; j < outlines.size(); ++j) {
+      const Crossings pairs(outlines[i], outlines[j], cell);
+      if (!pairs.any()) continue;
+      add_curves(outlines[i], outlines[j], pairs, receiver, cell, curves);
+      for (std::size_t k = j + 1; k < outlines.size(); ++k) {
+        add_curves(outlines[i], outlines[j], pairs, outlines[k], cell, curves);
+      }
+    }
   }
   return curves;
 }

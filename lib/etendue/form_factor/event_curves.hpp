@@ -19,7 +19,8 @@ class EventCurve {
 
   /// Zero on the curve; quadratic in x.
   double at(const Vec2& x) const;
-  /// False only where the curve certainly stays outside the cell: the Bernstein coefficients have one sign.
+  /// False only where no line of sight from the cell meets all three, but for strips within kTouch of its outline: two of
+  /// the edges do not cross one another in the view, or the curve's Bernstein coefficients have one sign.
   bool may_cross(const Cell& cell) const;
   bool operator==(const EventCurve& other) const;
 
@@ -27,8 +28,8 @@ class EventCurve {
   Edge edges_[3];
 };
 
-/// The curves that may cross the cell, which no critical line crosses: which edges cross one another in the view is
-/// then nearly the same all over it, and is read off at its centre and near its corners.
+/// The curves that may cross the cell: of all edges that may cross one another, pairwise, as seen from some point of it.
+/// Whether two may is settled by the ends of either over the plane of the other, affine functions on the cell.
 [[nodiscard]] std::vector<EventCurve> event_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines,
                                                    const Cell& cell);
 

@@ -62,8 +62,8 @@ ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& 
     return result;
   }
   const SightSpace space = sight_space(pair, from.vertices().front(), blockers);
-  OuterIntegral outer(space, result.free.value * pair.from_area);
   const auto asked = [&] { return std::max(tolerance.absolute, tolerance.relative * result.value); };
+  OuterIntegral outer(space, result.free.value * pair.from_area, 0.5 * asked() * pair.from_area);
   for (;;) {
     const double integral = outer.value() / pair.from_area;
     result.bound = (outer.error() + outer.rounding()) / pair.from_area;

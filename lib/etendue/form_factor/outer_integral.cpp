@@ -13,18 +13,40 @@ namespace etendue {
 
 namespace {
 
-/// Nodes a side; each rule is judged by its difference from the one before.
-constexpr std::array<int, 6> kLadder{2, 3, 5, 8, 12, 17};
 /// Point evaluations after which the integral is returned with the bound it has.
 constexpr int kMostEvaluations = 400000;
 
+// A cell on which the integrand is analytic: NOTES.md §5 has the estimate, and how these numbers were measured.
+
+/// Coefficients are not believed to fall faster than this from one degree to the next.
+constexpr double kLeastDecay = 1.0 / 32;
+/// With two nodes a side the estimate counts by so much.
+constexpr double kTwoNodes = 8;
+/// Least quotient of the distance of the nearest singularity and the cell's radius at which rules converge fast.
+constexpr double kLeastReach = 1.25;
+constexpr int kMostNodes = 8;
+
+// Any other cell.
+
+/// Nodes a side; each rule is judged by its difference from the one before.
+constexpr std::array<int, 6> kLadder{2, 3, 5, 8, 12, 17};
 /// The difference of two rules is the error of the coarser one, mostly a hundred times that of the finer; but it may
 /// vanish by accident, so the highest coefficients that the finer rule resolves, which do not, keep it from below.
-/// Measured over cells between random polygons: NOTES.md §5.
 constexpr double kTailShare = 0.02;
-constexpr double kSafety = 1.5;
+constexpr double kSafety = 3;
+/// Of the first two rules.
+constexpr double kFirstSafety = 10;
+/// By how much the coefficients along two sides must differ for a cell to be cut by them instead of by its shape.
+constexpr double kRougher = 4;
+/// A cell with a larger share of error than this is halved instead of getting more nodes.
+constexpr double kSmooth = 0.2;
 /// In a cell that a curve crosses, the spread of the samples times this is the least error believed.
 constexpr double kCurvedSpread = 0.02;
+
+/// How often a cell is halved at first where curves cross it, and how far a curve may leave its chord, as a share of the
+/// chord, when the cell is cut along that.
+constexpr int kMostSteps = 8;
+constexpr double kStraight = 0.1;
 
 /// A chord of the cell along an event curve, and how far the curve leaves it compared with its length.
 struct Chord {
@@ -64,7 +86,7 @@ std::optional<Chord> chord_of(const EventCurve& curve, const Cell& cell) {
 
 }  // namespace
 
-OuterIntegral::OuterIntegral(const SightSpace& space, double free) {
+OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) {
   zones_.reserve(space.zones.size());
   for (const SightZone& zone : space.zones) {
     Zone made{ShadowView(space.receiver, zone.outlines), space.receiver, &zone};
@@ -74,14 +96,15 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free) {
   for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z);
   // The smaller of the two integrals keeps the more digits; a look at the cells' centres decides.
   double hidden = 0;
-  for (const Piece& piece : pieces_) {
-    hidden += piece.cell.area() * zones_[piece.zone].view.from(piece.cell.centre(), ShadowView::Want::hidden).hidden;
-    ++evaluations_;
+  for (Piece& piece : pieces_) {
+    survey(piece);
+    hidden += piece.cell.area() * piece.hidden;
   }
   bool dark = false;
   for (const SightZone& zone : space.zones) dark = dark || zone.dark;
   integrand_ = dark || hidden > 0.5 * free ? Integrand::visible : Integrand::hidden;
-  for (Piece& piece : pieces_) measure(piece, true);
+  const double share = goal / static_cast<double>(pieces_.size());
+  for (Piece& piece : pieces_) measure(piece, share);
 
   double reach = 0, outline = 0, area = 0;
   for (const Zone& zone : zones_) {
@@ -98,63 +121,103 @@ void OuterIntegral::add_zone(const SightSpace& space, std::size_t index) {
   const SightZone& zone = space.zones[index];
   if (zone.dark) return;  // nothing is seen
   for (const Cell& cell : cells_between(zone.corners, critical_lines(space.receiver, zone))) {
-    if (!(cell.area() > 0)) continue;
-    add_cell(space, index, cell, event_curves(space.receiver, zone.outlines, cell), 0, 0);
-  }
-}
-
-void OuterIntegral::add_cell(const SightSpace& space, std::size_t zone, const Cell& cell,
-                             std::vector<EventCurve> curves, double bend, int depth) {
-  constexpr int kDeepest = 8;
-  constexpr double kStraight = 0.1;  // a curve that leaves its chord by less is cut along the chord
-  std::erase_if(curves, [&](const EventCurve& curve) { return !curve.may_cross(cell); });
-  if (curves.empty() || depth >= kDeepest) {
-    if (!(cell.area() > 0)) return;
     Piece piece;
     piece.cell = cell;
-    piece.zone = zone;
-    piece.bend = bend;
-    piece.curved = !curves.empty();
-    pieces_.push_back(piece);
-    return;
-  }
-  Cell::Halves halves;
-  const auto chord = cell.size() < Cell::kMostCorners ? chord_of(curves.back(), cell) : std::nullopt;
-  if (chord && chord->sag < kStraight) {
-    halves = cell.cut(chord->normal, chord->level);
-    bend += chord->sag * chord->sag * chord->sag;
-    curves.pop_back();
-  } else {
-    const Vec2 across = cell.longest();
-    halves = cell.cut(across, across.dot(cell.centre()));
-  }
-  for (const Cell* half : {&halves.above, &halves.below}) {
-    if (half->size() >= 3) add_cell(space, zone, *half, curves, bend, depth + 1);
+    piece.zone = index;
+    piece.curves = event_curves(space.receiver, zone.outlines, cell);
+    divide(std::move(piece), kMostSteps, pieces_);
   }
 }
 
-void OuterIntegral::measure(Piece& piece, bool fresh) {
+void OuterIntegral::divide(Piece piece, int steps, std::vector<Piece>& parts) {
+  if (piece.cell.size() < 3 || !(piece.cell.area() > 0)) return;
+  std::erase_if(piece.curves, [&](const EventCurve& curve) { return !curve.may_cross(piece.cell); });
+  if (piece.curves.empty() || steps == 0) {
+    parts.push_back(std::move(piece));
+    return;
+  }
+  const bool room = piece.cell.size() < Cell::kMostCorners;
+  const auto chord = room ? chord_of(piece.curves.back(), piece.cell) : std::nullopt;
+  Cell::Halves halves;
+  if (chord && chord->sag < kStraight) {
+    halves = piece.cell.cut(chord->normal, chord->level);
+    piece.bend += chord->sag * chord->sag * chord->sag;
+    piece.curves.pop_back();
+  } else {
+    const Vec2 across = piece.cell.longest();
+    halves = piece.cell.cut(across, across.dot(piece.cell.centre()));
+  }
+  for (const Cell* half : {&halves.above, &halves.below}) {
+    Piece part = piece;
+    part.cell = *half;
+    divide(std::move(part), steps - 1, parts);
+  }
+}
+
+void OuterIntegral::survey(Piece& piece) {
+  const Vec2 centre = piece.cell.centre();
+  const ShadowView::Survey survey = zones_[piece.zone].view.survey(centre);
+  ++evaluations_;
+  piece.free = survey.free;
+  piece.hidden = survey.hidden;
+  piece.none = survey.none;
+  piece.all = survey.all;
+  double radius = 0;
+  for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - centre).norm());
+  const double reach = survey.reach / radius;
+  const bool analytic = piece.curves.empty() && piece.bend == 0 && reach >= kLeastReach;
+  piece.decay = analytic ? std::max(kLeastDecay, 1 / (reach + std::sqrt(reach * reach - 1))) : 1;
+}
+
+// What is true of the centre, that nothing is hidden or that all is, is true of a cell that no line and no curve crosses.
+void OuterIntegral::measure(Piece& piece, double share) {
+  const bool one_form = piece.curves.empty() && piece.bend == 0;
+  if (one_form && (integrand_ == Integrand::hidden ? piece.none : piece.all)) {
+    piece.value = piece.error = 0;
+  } else if (piece.decay < 1) {
+    const double rough = kTwoNodes * piece.free * piece.cell.area() * std::pow(piece.decay, 3);
+    measure_analytic(piece, rough <= share ? 2 : 3);
+    if (piece.nodes == 2 && piece.error > share) measure_analytic(piece, 3);
+  } else {
+    measure_any(piece, true);
+  }
+}
+
+void OuterIntegral::measure_analytic(Piece& piece, int nodes) {
+  Zone& zone = zones_[piece.zone];
+  const CellSum sum = integrate(zone.view, integrand_, piece.cell, zone.near, nodes);
+  evaluations_ += sum.evaluations;
+  const double decay = piece.decay, smooth = piece.free * piece.cell.area() * std::pow(decay, 2 * nodes);
+  if (nodes > 2) {
+    piece.error = std::max(smooth, sum.tail * decay * decay * decay);
+  } else {
+    const double centre = (integrand_ == Integrand::hidden ? piece.hidden : piece.free - piece.hidden);
+    const double difference = std::abs(sum.value - centre * piece.cell.area());
+    piece.error = kTwoNodes * std::max(smooth, std::max(sum.tail, difference) * decay * decay);
+  }
+  piece.value = sum.value;
+  piece.nodes = nodes;
+}
+
+void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   Zone& zone = zones_[piece.zone];
   double before = piece.value;
   if (fresh) {
     const CellSum coarse = integrate(zone.view, integrand_, piece.cell, zone.near, kLadder[0]);
     evaluations_ += coarse.evaluations;
     before = coarse.value;
-    piece.order = 0;
-    if (coarse.low == 0 && coarse.high == 0 && zone.zone->outlines.size() == 1) {
-      // One convex outline: what no point has seen hidden, between critical lines, nothing hides.
-      piece.value = piece.error = 0;
-      return;
-    }
+    piece.nodes = kLadder[0];
   }
-  ++piece.order;
-  const CellSum fine = integrate(zone.view, integrand_, piece.cell, zone.near, kLadder[piece.order]);
+  piece.nodes = *std::upper_bound(kLadder.begin(), kLadder.end(), piece.nodes);
+  const CellSum fine = integrate(zone.view, integrand_, piece.cell, zone.near, piece.nodes);
   evaluations_ += fine.evaluations;
   piece.value = fine.value;
-  piece.error = kSafety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
+  piece.tails = fine.tails;
+  const double safety = piece.nodes == kLadder[1] ? kFirstSafety : kSafety;
+  piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
   const double spread = (fine.high - fine.low) * piece.cell.area();
   piece.error = std::max(piece.error, piece.bend * spread);
-  if (piece.curved) piece.error = std::max(piece.error, kCurvedSpread * spread);
+  if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * spread);
 }
 
 double OuterIntegral::value() const {
@@ -174,50 +237,64 @@ bool OuterIntegral::exhausted() const {
 }
 
 void OuterIntegral::refine(double goal) {
-  // Cells below their share cannot bring the sum down; all others are refined at once.
-  const double share = goal / static_cast<double>(pieces_.size());
+  // Cells below their share cannot bring the sum down; all others are refined at once. A goal far off is approached in
+  // steps: what asks for less does the same work up to there, so that where the work ends no one gets more for asking less.
+  constexpr double kStep = 1.0 / 32;
+  const double share = std::max(goal, kStep * error()) / static_cast<double>(pieces_.size());
   const std::size_t count = pieces_.size();
   for (std::size_t i = 0; i < count && evaluations_ < kMostEvaluations; ++i) {
     Piece& piece = pieces_[i];
     if (piece.error <= share) continue;
-    const bool smooth = !piece.curved && piece.error < 0.05 * piece.value && piece.order + 1 < kLadder.size();
-    if (smooth) {
-      measure(piece, false);
-    } else {
-      halve(i);
+    if (piece.decay < 1) {
+      int nodes = piece.nodes + 1;
+      while (nodes < kMostNodes && piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) > share) ++nodes;
+      if (piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) <= share && nodes <= kMostNodes) {
+        measure_analytic(piece, nodes);
+        continue;
+      }
+    } else if (piece.curves.empty() && piece.error < kSmooth * piece.value && piece.nodes < kLadder.back()) {
+      measure_any(piece, false);
+      continue;
     }
+    halve(i, share);
   }
 }
 
-void OuterIntegral::halve(std::size_t index) {
-  const Piece whole = pieces_[index];
-  Vec2 across = whole.cell.longest();
-  if (whole.cell.size() == 4) {
-    // A square's diagonal makes slivers; its longer side halves it into rectangles.
-    across = whole.cell[1] - whole.cell[0];
-    for (int i = 1; i < 4; ++i) {
-      const Vec2 side = whole.cell[(i + 1) % 4] - whole.cell[i];
-      if (side.squaredNorm() > across.squaredNorm()) across = side;
+void OuterIntegral::halve(std::size_t index, double share) {
+  Piece whole = pieces_[index];
+  std::vector<Piece> parts;
+  if (!whole.curves.empty()) {
+    divide(std::move(whole), 1, parts);
+  } else {
+    Vec2 across = whole.cell.longest();
+    if (whole.cell.size() == 4) {
+      // Across the sides along which the integrand is the rougher; else across the longer ones.
+      const Vec2 along = whole.cell[1] - whole.cell[0] + whole.cell[2] - whole.cell[3];
+      const Vec2 up = whole.cell[3] - whole.cell[0] + whole.cell[2] - whole.cell[1];
+      const bool longer = along.squaredNorm() > up.squaredNorm();
+      const auto [first, second] = whole.tails;
+      across = first > kRougher * second || (longer && second <= kRougher * first) ? along : up;
+    }
+    const Cell::Halves halves = whole.cell.cut(across, across.dot(whole.cell.centre()));
+    whole.bend /= 8;
+    for (const Cell* half : {&halves.above, &halves.below}) {
+      Piece part = whole;
+      part.cell = *half;
+      divide(std::move(part), 0, parts);
     }
   }
-  const Cell::Halves halves = whole.cell.cut(across, across.dot(whole.cell.centre()));
-  bool first = true;
-  for (const Cell* half : {&halves.above, &halves.below}) {
-    if (half->size() < 3 || !(half->area() > 0)) continue;
-    Piece piece;
-    piece.cell = *half;
-    piece.zone = whole.zone;
-    piece.bend = whole.bend / 8;
-    piece.curved = whole.curved;
-    measure(piece, true);
-    if (first) {
-      pieces_[index] = piece;
+  for (Piece& part : parts) {
+    survey(part);
+    measure(part, share);
+  }
+  pieces_[index].value = pieces_[index].error = 0;  // where rounding has lost both
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k == 0) {
+      pieces_[index] = std::move(parts[0]);
     } else {
-      pieces_.push_back(piece);
+      pieces_.push_back(std::move(parts[k]));
     }
-    first = false;
   }
-  if (first) pieces_[index].error = 0;  // lost in rounding
 }
 
 }  // namespace etendue

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "etendue/form_factor/cell_rule.hpp"
@@ -9,13 +10,14 @@
 namespace etendue {
 
 /// The integral over the source of what is hidden, or seen, of the receiver: cells between critical lines first, then
-/// the cell with the largest error gets a rule of higher order, or is halved.
+/// the cells with the largest errors get rules of higher order, or are halved.
 ///
 /// Accuracy  error() is an estimate: NOTES.md §5
 class OuterIntegral {
  public:
-  /// `free` is the integral without blockers; by it the smaller of the two integrands is chosen.
-  OuterIntegral(const SightSpace& space, double free);
+  /// `free` is the integral without blockers; by it the smaller of the two integrands is chosen. The first rules are
+  /// chosen so that the error may come out below `goal`.
+  OuterIntegral(const SightSpace& space, double free, double goal);
 
   Integrand integrand() const { return integrand_; }
   double value() const;
@@ -38,18 +40,27 @@ class OuterIntegral {
   struct Piece {
     Cell cell;
     std::size_t zone = 0;
-    std::size_t order = 0;  ///< index into the ladder of rules
+    int nodes = 0;          ///< a side, of the rule that gave the value
+    double free = 0;        ///< the factor without blockers, at the centre
+    double decay = 1;       ///< by which coefficients fall from one degree to the next; 1 where that is not known
     double bend = 0;        ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
-    bool curved = false;    ///< a curve crosses the cell
+    std::vector<EventCurve> curves;  ///< that may cross the cell
+    bool none = false;      ///< seen from the centre, nothing is hidden
+    bool all = false;       ///< seen from the centre, everything is
+    double hidden = 0;      ///< factor of what is, at the centre
+    std::array<double, 2> tails{};   ///< CellSum::tails
     double value = 0;
     double error = 0;
   };
 
   void add_zone(const SightSpace& space, std::size_t zone);
-  void add_cell(const SightSpace& space, std::size_t zone, const Cell& cell, std::vector<EventCurve> curves,
-                double bend, int depth);
-  void measure(Piece& piece, bool fresh);
-  void halve(std::size_t index);
+  /// Cuts a piece along its curves, or halves it, `steps` times at most, and adds the parts.
+  static void divide(Piece piece, int steps, std::vector<Piece>& parts);
+  void survey(Piece& piece);
+  void measure(Piece& piece, double share);
+  void measure_analytic(Piece& piece, int nodes);
+  void measure_any(Piece& piece, bool fresh);
+  void halve(std::size_t index, double share);
 
   std::vector<Zone> zones_;
   std::vector<Piece> pieces_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "etendue/core/rounding.hpp"
@@ -46,6 +47,13 @@ void split(std::vector<Vec3>& part, const std::vector<double>& heights, std::vec
     }
   }
   part.swap(inside);
+}
+
+/// Of the origin from the edge from a to b.
+double distance(const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double share = std::clamp(-a.dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (a + share * along).norm();
 }
 
 }  // namespace
@@ -94,10 +102,15 @@ void ShadowView::take_shadow(std::size_t outline, const Vec3& eye, bool last, Wa
         part.clear();
         break;
       }
+      if (trace_) {
+        const double length = (loop[k + 1 < m ? k + 1 : 0] - loop[k]).norm();
+        trace_->to_lines = std::min(trace_->to_lines, planes_[k].norm() / length);
+      }
       split(part, heights_, buffer_, last ? nullptr : &keep());
       if (!last && remaining_[kept_ - 1].size() < 3) --kept_;
     }
     if (part.size() < 3) continue;
+    if (trace_) note_shadow(loop, part, eye);
     if (want == Want::both_bounded) {
       const Bounded sum = lambert_sum(part, Vec3::UnitZ());
       seen.hidden += sum.value;
@@ -131,6 +144,42 @@ double ShadowView::turning_of(const Outline& loop, const Vec3& eye) const {
   return sum * (2 / std::numbers::pi);
 }
 
+void ShadowView::note_shadow(const Outline& loop, const Part& hidden, const Vec3& eye) {
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    trace_->to_edges = std::min(trace_->to_edges, distance(loop[k] - eye, loop[k + 1 < loop.size() ? k + 1 : 0] - eye));
+  }
+  const std::size_t n = hidden.size();
+  Vec3 before = hidden[n - 1].cross(hidden[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 next = hidden[i].cross(hidden[i + 1 < n ? i + 1 : 0]);
+    const double sizes = before.norm() * next.norm();
+    if (sizes > 0) trace_->least_sine = std::min(trace_->least_sine, before.cross(next).norm() / sizes);
+    before = next;
+  }
+}
+
+ShadowView::Survey ShadowView::survey(const Vec2& x) {
+  const Vec3 eye(x.x(), x.y(), 0);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Trace trace{kFar, kFar};
+  trace_ = &trace;
+  const Seen seen = from(x, Want::both);
+  trace_ = nullptr;
+  Survey survey{seen.free, seen.hidden, trace.to_edges == kFar, used_ == 0, kFar};
+  double lines = kFar;
+  for (std::size_t i = 0; i < receiver_.size(); ++i) {
+    const Vec3 a = receiver_[i] - eye, b = receiver_[i + 1 < receiver_.size() ? i + 1 : 0] - eye;
+    survey.reach = std::min(survey.reach, distance(a, b));
+    lines = std::min(lines, a.cross(b).norm() / (b - a).norm());
+  }
+  survey.reach = std::min(survey.reach, trace.to_edges);
+  // Planes over edges at these distances turn by no more than 1/d₁ + 1/d₂ a length: until then they stay apart.
+  if (trace.to_lines < kFar) {
+    survey.reach = std::min(survey.reach, trace.least_sine / (1 / lines + 1 / trace.to_lines));
+  }
+  return survey;
+}
+
 ShadowView::Seen ShadowView::from(const Vec2& x, Want want) {
   const Vec3 eye(x.x(), x.y(), 0);
   if (parts_.empty()) parts_.emplace_back();
@@ -145,7 +194,7 @@ ShadowView::Seen ShadowView::from(const Vec2& x, Want want) {
     seen.bound = sum.bound;
   }
   for (std::size_t k = 0; k < outlines_.size() && used_ > 0; ++k) {
-    take_shadow(k, eye, k + 1 == outlines_.size(), want, seen);
+    take_shadow(k, eye, !trace_ && k + 1 == outlines_.size(), want, seen);
   }
   return seen;
 }

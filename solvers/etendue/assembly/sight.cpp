@@ -2,8 +2,11 @@
 #include "etendue/assembly/sight.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "etendue/core/rounding.hpp"
 
@@ -24,54 +27,82 @@ double height(const Polygon& plane, const Vec3& point) {
   return plane.normal().dot(point - plane.centroid());
 }
 
-double greatest_height(const Polygon& plane, const Polygon& polygon) {
+double greatest_height(const Polygon& plane, std::span<const Vec3> points) {
   double greatest = -kInfinity;
-  for (const Vec3& vertex : polygon.vertices()) greatest = std::max(greatest, height(plane, vertex));
+  for (const Vec3& point : points) greatest = std::max(greatest, height(plane, point));
   return greatest;
 }
 
-struct Projection {
+struct Range {
   double low = kInfinity;
   double high = -kInfinity;
-  void add(const Polygon& polygon, const Vec3& axis) {
-    for (const Vec3& vertex : polygon.vertices()) {
-      const double value = axis.dot(vertex);
-      low = std::min(low, value);
-      high = std::max(high, value);
+};
+
+Range heights(const Polygon& plane, const Polygon& polygon) {
+  Range range;
+  for (const Vec3& vertex : polygon.vertices()) {
+    const double value = height(plane, vertex);
+    range = {std::min(range.low, value), std::max(range.high, value)};
+  }
+  return range;
+}
+
+/// The point of a set that is farthest along an axis.
+struct Farthest {
+  double value = -kInfinity;
+  const Vec3* point = nullptr;
+  void add(std::span<const Vec3> points, const Vec3& axis) {
+    for (const Vec3& p : points) {
+      const double along = axis.dot(p);
+      if (along > value) {
+        value = along;
+        point = &p;
+      }
     }
   }
 };
 
+/// A convex set in front of none of the planes of its own faces: does the line from a to b pass through it?
+bool pierced(const ElementMesh& mesh, std::span<const std::size_t> planes, const Vec3& a, const Vec3& b) {
+  double enters = 0, leaves = 1;
+  for (const std::size_t f : planes) {
+    const double from = height(mesh.faces[f].polygon, a), to = height(mesh.faces[f].polygon, b);
+    if (from >= 0 && to >= 0) return false;
+    if (from > 0) enters = std::max(enters, from / (from - to));
+    if (to > 0) leaves = std::min(leaves, from / (from - to));
+  }
+  return enters < leaves;
+}
+
 }  // namespace
 
+struct SightMap::Pair {
+  const Polygon& from;
+  const Polygon& to;
+  const Ball& near;
+  const Ball& far;
+  Bounds bounds;
+};
+
 SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
-  const auto bounds_of = [](const Polygon& polygon) {
+  for (const Element& element : mesh.elements) {
+    const Polygon& polygon = element.polygon;
     Bounds bounds{polygon.vertices().front(), polygon.vertices().front()};
+    Ball ball{polygon.centroid(), 0};
     for (const Vec3& vertex : polygon.vertices()) {
       bounds.low = bounds.low.cwiseMin(vertex);
       bounds.high = bounds.high.cwiseMax(vertex);
+      ball.radius = std::max(ball.radius, (vertex - ball.centre).norm());
     }
-    return bounds;
-  };
-  for (const Face& face : mesh.faces) face_bounds_.push_back(bounds_of(face.polygon));
-  for (const Element& element : mesh.elements) element_bounds_.push_back(bounds_of(element.polygon));
+    element_bounds_.push_back(bounds);
+    element_balls_.push_back(ball);
+  }
   double largest = 0;
-  for (const Bounds& bounds : face_bounds_) {
-    largest = std::max({largest, bounds.low.cwiseAbs().maxCoeff(), bounds.high.cwiseAbs().maxCoeff()});
+  for (const Face& face : mesh.faces) {
+    for (const Vec3& vertex : face.polygon.vertices()) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
   }
   slack_ = kHeightRoundings * kUnitRoundoff * largest;
   gather_bodies();
-  heights_.reserve(mesh.faces.size() * mesh.elements.size());
-  for (const Face& face : mesh.faces) {
-    for (const Element& element : mesh.elements) {
-      Range range{kInfinity, -kInfinity};
-      for (const Vec3& vertex : element.polygon.vertices()) {
-        const double value = height(face.polygon, vertex);
-        range = {std::min(range.low, value), std::max(range.high, value)};
-      }
-      heights_.push_back(range);
-    }
-  }
 }
 
 void SightMap::gather_bodies() {
@@ -83,69 +114,139 @@ void SightMap::gather_bodies() {
     }
     std::optional<Blocker> solid;
     if (faces.size() <= kMostFaces) solid = Blocker::solid(faces);
-    for (std::size_t f = first; f < last; ++f) {
-      if (!solid) bodies_.push_back(Blocker::plate(mesh_.faces[f].polygon));
-      body_of_.push_back(solid ? bodies_.size() : bodies_.size() - 1);
+    if (solid) {
+      add_body(first, last, *std::move(solid));
+    } else {
+      for (std::size_t f = first; f < last; ++f) add_body(f, f + 1, Blocker::plate(mesh_.faces[f].polygon));
     }
-    if (solid) bodies_.push_back(*std::move(solid));
     first = last;
   }
+}
+
+// A face with all elements on one side of its plane blocks nothing: the walls of a convex room cost nothing from here on.
+void SightMap::add_body(std::size_t first, std::size_t last, Blocker blocker) {
+  constexpr double kParallel = 0x1p-20;  // saves axes that say the same; which ones are tried proves nothing
+  Body body;
+  for (std::size_t f = first; f < last; ++f) {
+    Range range;
+    for (const Element& element : mesh_.elements) {
+      const Range one = heights(mesh_.faces[f].polygon, element.polygon);
+      range = {std::min(range.low, one.low), std::max(range.high, one.high)};
+    }
+    if (blocker.is_solid() && range.low >= -slack_) return;  // all elements beyond one face of it
+    body.planes.push_back(f);
+    if (range.low < -slack_ && range.high > slack_) body.faces.push_back(f);
+    const auto& v = mesh_.faces[f].polygon.vertices();
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      const Vec3 edge = (v[(k + 1) % v.size()] - v[k]).normalized();
+      const auto same = [&](const Vec3& other) { return other.cross(edge).squaredNorm() < kParallel * kParallel; };
+      if (std::none_of(body.directions.begin(), body.directions.end(), same)) body.directions.push_back(edge);
+    }
+  }
+  if (body.faces.empty()) return;
+  const std::vector<Vec3>& points = blocker.points();
+  body.bounds = {points.front(), points.front()};
+  for (const Vec3& p : points) {
+    body.bounds.low = body.bounds.low.cwiseMin(p);
+    body.bounds.high = body.bounds.high.cwiseMax(p);
+  }
+  body.ball = {0.5 * (body.bounds.low + body.bounds.high), 0};
+  for (const Vec3& p : points) body.ball.radius = std::max(body.ball.radius, (p - body.ball.centre).norm());
+  body.blocker = blockers_.size();
+  blockers_.push_back(std::move(blocker));
+  bodies_.push_back(std::move(body));
 }
 
 SightLine SightMap::between(std::size_t first, std::size_t second) const {
   const Polygon& from = mesh_.elements[first].polygon;
   const Polygon& to = mesh_.elements[second].polygon;
-  if (greatest_height(from, to) <= slack_ || greatest_height(to, from) <= slack_) return {Sight::averted, {}, {}};
+  if (greatest_height(from, to.vertices()) <= slack_ || greatest_height(to, from.vertices()) <= slack_) {
+    return {Sight::averted, {}, {}};
+  }
+  const Bounds &a = element_bounds_[first], &b = element_bounds_[second];
+  const Pair pair{from, to, element_balls_[first], element_balls_[second],
+                  {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}};
   SightLine line{Sight::clear, {}, {}};
-  for (std::size_t face = 0; face < mesh_.faces.size(); ++face) {
-    if (!may_block(face, first, second)) continue;
-    if (hides_all(face, first, second)) return {Sight::blocked, {}, {}};
+  for (const Body& body : bodies_) {
+    if (!stands_between(body, pair)) continue;
+    bool any = false;
+    for (const std::size_t face : body.faces) {
+      if (face == mesh_.elements[first].face || face == mesh_.elements[second].face || !splits(face, pair)) continue;
+      if (hides_all(face, pair)) return {Sight::blocked, {}, {}};
+      any = true;
+      line.blockers.push_back(face);
+    }
+    if (!any) continue;
     line.sight = Sight::undecided;
-    line.blockers.push_back(face);
-    const Blocker* body = &bodies_[body_of_[face]];
-    // Faces of an object follow one another.
-    if (line.bodies.empty() || line.bodies.back() != body) line.bodies.push_back(body);
+    line.bodies.push_back(&blockers_[body.blocker]);
   }
   return line;
 }
 
-bool SightMap::may_block(std::size_t face, std::size_t first, std::size_t second) const {
-  if (face == mesh_.elements[first].face || face == mesh_.elements[second].face) return false;
-  const Range& a = heights_[face * mesh_.elements.size() + first];
-  const Range& b = heights_[face * mesh_.elements.size() + second];
-  if (std::min(a.low, b.low) >= -slack_ || std::max(a.high, b.high) <= slack_) return false;  // both on one side
-  const Vec3 low = element_bounds_[first].low.cwiseMin(element_bounds_[second].low);
-  const Vec3 high = element_bounds_[first].high.cwiseMax(element_bounds_[second].high);
+bool SightMap::stands_between(const Body& body, const Pair& pair) const {
+  // The space between is inside the ball that moves from the one element to the other with the larger of their radii.
+  const Vec3 across = pair.far.centre - pair.near.centre, away = body.ball.centre - pair.near.centre;
+  const double share = std::clamp(across.dot(away) / across.squaredNorm(), 0.0, 1.0);
+  const double reach = body.ball.radius + std::max(pair.near.radius, pair.far.radius);
+  if ((away - share * across).squaredNorm() >= reach * reach) return false;
   for (int axis = 0; axis < 3; ++axis) {
-    if (face_bounds_[face].low(axis) >= high(axis) - slack_) return false;
-    if (face_bounds_[face].high(axis) <= low(axis) + slack_) return false;
+    if (body.bounds.low(axis) >= pair.bounds.high(axis) - slack_) return false;
+    if (body.bounds.high(axis) <= pair.bounds.low(axis) + slack_) return false;
   }
-  const Polygon& blocker = mesh_.faces[face].polygon;
-  if (greatest_height(mesh_.elements[first].polygon, blocker) <= slack_) return false;  // behind one of the two
-  if (greatest_height(mesh_.elements[second].polygon, blocker) <= slack_) return false;
-  return !separated(face, first, second);
+  const std::vector<Vec3>& points = blockers_[body.blocker].points();
+  if (greatest_height(pair.from, points) <= slack_ || greatest_height(pair.to, points) <= slack_) return false;
+  const bool solid = blockers_[body.blocker].is_solid();
+  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre)) return true;
+  for (const std::size_t f : body.planes) {
+    const Range a = heights(mesh_.faces[f].polygon, pair.from), b = heights(mesh_.faces[f].polygon, pair.to);
+    if (std::min(a.low, b.low) >= -slack_) return false;
+    if (!solid && std::max(a.high, b.high) <= slack_) return false;
+  }
+  return !separated(body, pair);
 }
 
-// Looks for a plane with both elements on one side and the face on the other. Its normals are taken from those that
-// bound the difference of the two convex sets: an edge of one element with a corner of the other, an edge of the face
-// with a line that joins the elements.
-bool SightMap::separated(std::size_t face, std::size_t first, std::size_t second) const {
-  const Polygon& from = mesh_.elements[first].polygon;
-  const Polygon& to = mesh_.elements[second].polygon;
-  const Polygon& blocker = mesh_.faces[face].polygon;
-  const auto separates = [&](const Vec3& axis) {
+// Looks for a plane with both elements on one side and the body on the other: first by reflecting an axis at the line
+// between the two points that contradict it most (Chung and Wang), then among the normals that bound the difference of the
+// two convex sets where they touch: an edge of one element with a corner of the other, an edge of the body with a line that
+// joins the elements.
+bool SightMap::separated(const Body& body, const Pair& pair) const {
+  constexpr int kReflections = 6;
+  const std::vector<Vec3>& points = blockers_[body.blocker].points();
+  Vec3 axis = body.ball.centre - 0.5 * (pair.near.centre + pair.far.centre);
+  for (int k = 0; k < kReflections; ++k) {
     const double length = axis.norm();
+    if (!(length > slack_)) break;
+    axis /= length;
+    Farthest between, back;
+    between.add(pair.from.vertices(), axis);
+    between.add(pair.to.vertices(), axis);
+    back.add(points, -axis);
+    if (-back.value >= between.value - slack_) return true;
+    const Vec3 contradiction = *back.point - *between.point;
+    const double square = contradiction.squaredNorm();
+    if (!(square > 0)) break;
+    axis -= 2 * (axis.dot(contradiction) / square) * contradiction;
+  }
+  const auto separates = [&](const Vec3& normal) {
+    const double length = normal.norm();
     if (!(length > slack_ * slack_)) return false;  // the two directions are parallel, or one of them has no length
-    Projection pair, other;
-    pair.add(from, axis);
-    pair.add(to, axis);
-    other.add(blocker, axis);
-    return other.low >= pair.high - slack_ * length || other.high <= pair.low + slack_ * length;
+    Farthest ahead, behind, over, under;
+    ahead.add(pair.from.vertices(), normal);
+    ahead.add(pair.to.vertices(), normal);
+    under.add(points, -normal);
+    if (-under.value >= ahead.value - slack_ * length) return true;
+    over.add(points, normal);
+    behind.add(pair.from.vertices(), -normal);
+    behind.add(pair.to.vertices(), -normal);
+    return -behind.value >= over.value - slack_ * length;
   };
-  for (const Vec3& p : from.vertices()) {
-    for (const Vec3& q : to.vertices()) {
+  for (const Vec3& p : pair.from.vertices()) {
+    for (const Vec3& q : pair.to.vertices()) {
       const Vec3 joining = q - p;
-      for (const Polygon* polygon : {&blocker, &from, &to}) {
+      for (const Vec3& direction : body.directions) {
+        if (separates(joining.cross(direction))) return true;
+      }
+      for (const Polygon* polygon : {&pair.from, &pair.to}) {
         const auto& v = polygon->vertices();
         for (std::size_t k = 0; k < v.size(); ++k) {
           if (separates(joining.cross(v[(k + 1) % v.size()] - v[k]))) return true;
@@ -156,16 +257,22 @@ bool SightMap::separated(std::size_t face, std::size_t first, std::size_t second
   return false;
 }
 
+bool SightMap::splits(std::size_t face, const Pair& pair) const {
+  const Polygon& plane = mesh_.faces[face].polygon;
+  const Range a = heights(plane, pair.from), b = heights(plane, pair.to);
+  if (std::min(a.low, b.low) >= -slack_ || std::max(a.high, b.high) <= slack_) return false;  // both on one side
+  return greatest_height(pair.from, plane.vertices()) > slack_ && greatest_height(pair.to, plane.vertices()) > slack_;
+}
+
 // The lines between corners cross the face's plane inside the face: then so do all lines between the two (NOTES.md §1).
-bool SightMap::hides_all(std::size_t face, std::size_t first, std::size_t second) const {
-  const Range& a = heights_[face * mesh_.elements.size() + first];
-  const Range& b = heights_[face * mesh_.elements.size() + second];
-  if (!(a.high < -slack_ && b.low > slack_) && !(a.low > slack_ && b.high < -slack_)) return false;
+bool SightMap::hides_all(std::size_t face, const Pair& pair) const {
   const Polygon& blocker = mesh_.faces[face].polygon;
+  const Range a = heights(blocker, pair.from), b = heights(blocker, pair.to);
+  if (!(a.high < -slack_ && b.low > slack_) && !(a.low > slack_ && b.high < -slack_)) return false;
   const auto& v = blocker.vertices();
-  for (const Vec3& p : mesh_.elements[first].polygon.vertices()) {
+  for (const Vec3& p : pair.from.vertices()) {
     const double p_height = height(blocker, p);
-    for (const Vec3& q : mesh_.elements[second].polygon.vertices()) {
+    for (const Vec3& q : pair.to.vertices()) {
       const double q_height = height(blocker, q);
       const Vec3 crossing = (q_height * p - p_height * q) / (q_height - p_height);
       for (std::size_t k = 0; k < v.size(); ++k) {

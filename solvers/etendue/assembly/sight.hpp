@@ -27,7 +27,7 @@ struct SightLine {
 /// Which faces of a scene can stand between which elements.
 ///
 /// `averted`, `clear` and `blocked` are decided conservatively: NOTES.md §1 proves that they are true up to slack(), the
-/// rounding of coordinates. `undecided` claims nothing.
+/// rounding of coordinates. `undecided` claims nothing. Memory: of the order of faces and elements, not of their product.
 class SightMap {
  public:
   explicit SightMap(const ElementMesh& mesh);
@@ -38,26 +38,38 @@ class SightMap {
   double slack() const { return slack_; }
 
  private:
-  struct Range {
-    double low, high;
-  };
   struct Bounds {
     Vec3 low, high;
   };
-
-  bool may_block(std::size_t face, std::size_t first, std::size_t second) const;
-  bool separated(std::size_t face, std::size_t first, std::size_t second) const;
-  bool hides_all(std::size_t face, std::size_t first, std::size_t second) const;
+  /// A sphere around a polygon or a body.
+  struct Ball {
+    Vec3 centre;
+    double radius;
+  };
+  /// What can stand in the way: a solid, or a single face.
+  struct Body {
+    Ball ball;
+    Bounds bounds;
+    std::vector<Vec3> directions;     ///< of its edges, parallel ones once
+    std::vector<std::size_t> faces;   ///< those with elements on both sides of their planes
+    std::vector<std::size_t> planes;  ///< all of them
+    std::size_t blocker;              ///< index into blockers_
+  };
+  struct Pair;
 
   void gather_bodies();
+  void add_body(std::size_t first, std::size_t last, Blocker blocker);
+  bool stands_between(const Body& body, const Pair& pair) const;
+  bool separated(const Body& body, const Pair& pair) const;
+  bool splits(std::size_t face, const Pair& pair) const;
+  bool hides_all(std::size_t face, const Pair& pair) const;
 
   const ElementMesh& mesh_;
   double slack_ = 0;
-  std::vector<Blocker> bodies_;
-  std::vector<std::size_t> body_of_;  ///< of every face
-  std::vector<Bounds> face_bounds_;
+  std::vector<Blocker> blockers_;
+  std::vector<Body> bodies_;  ///< in the order of their faces; those that can never block are left out
   std::vector<Bounds> element_bounds_;
-  std::vector<Range> heights_;  ///< of elements over faces' planes: [face · elements + element]
+  std::vector<Ball> element_balls_;
 };
 
 }  // namespace etendue
