@@ -20,9 +20,9 @@ Vec3 plane_over(const EventCurve::Edge& edge, const Vec2& x) {
 
 /// On which side of the plane over the edge from a to b a point lies as seen from the cell: 1 or −1 where that is the same
 /// from all of it, 0 where it changes or the point is on the plane.
-int side(const Vec3& a, const Vec3& b, const Vec3& point, const Cell& cell) {
+int side(const Vec3& a, const Vec3& b, const Vec3& point, const Cell& cell, double reach) {
   const Vec3 normal = (b - a).cross(point - a);
-  const double level = normal.dot(point), off = kTouch * cell.reach() * normal.head<2>().norm();
+  const double level = normal.dot(point), off = kTouch * reach * normal.head<2>().norm();
   bool positive = true, negative = true;
   for (int k = 0; k < cell.size(); ++k) {
     const double height = level - normal.head<2>().dot(cell[k]);
@@ -33,9 +33,9 @@ int side(const Vec3& a, const Vec3& b, const Vec3& point, const Cell& cell) {
 }
 
 /// Whether all of `edge` lies on one side of `other`, the same from all of the cell.
-bool beside(const EventCurve::Edge& edge, const EventCurve::Edge& other, const Cell& cell) {
-  const int start = side(other.start, other.end, edge.start, cell);
-  return start != 0 && start == side(other.start, other.end, edge.end, cell);
+bool beside(const EventCurve::Edge& edge, const EventCurve::Edge& other, const Cell& cell, double reach) {
+  const int start = side(other.start, other.end, edge.start, cell, reach);
+  return start != 0 && start == side(other.start, other.end, edge.end, cell, reach);
 }
 
 }  // namespace
@@ -54,9 +54,10 @@ double EventCurve::at(const Vec2& x) const {
 }
 
 bool EventCurve::may_cross(const Cell& cell) const {
+  const double size = cell.reach();
   for (int k = 0; k < 3; ++k) {
     const Edge &one = edges_[k], &other = edges_[(k + 1) % 3];
-    if (beside(one, other, cell) || beside(other, one, cell)) return false;
+    if (beside(one, other, cell, size) || beside(other, one, cell, size)) return false;
   }
   // Corners of cells lie off the lines that they were cut along, by rounding or because no line is drawn within kTouch of
   // a corner. A value that such a move or the rounding of the determinant may have made is on the curve and beside nothing.
@@ -71,7 +72,7 @@ bool EventCurve::may_cross(const Cell& cell) const {
       reach[k] = (edges_[k].start - eye).norm() * length[k];
     }
     const double slope = length[0] * plane[1] * plane[2] + plane[0] * length[1] * plane[2] + plane[0] * plane[1] * length[2];
-    off = std::max(off, kTouch * cell.reach() * slope + kRoundings * reach[0] * reach[1] * reach[2]);
+    off = std::max(off, kTouch * size * slope + kRoundings * reach[0] * reach[1] * reach[2]);
   }
   bool positive = false, negative = false;
   const auto note = [&](double value) {
@@ -102,28 +103,42 @@ std::size_t after(std::size_t i, std::size_t size) {
 class Sides {
  public:
   Sides(std::span<const Vec3> corners, std::span<const Vec3> loop, const Cell& cell) : edges_(loop.size()) {
+    const double reach = cell.reach();
     signs_.reserve(corners.size() * loop.size());
-    for (const Vec3& corner : corners) {
-      for (std::size_t j = 0; j < loop.size(); ++j) {
-        signs_.push_back(side(loop[j], loop[after(j, loop.size())], corner, cell));
+    for (std::size_t j = 0; j < loop.size(); ++j) {
+      bool outside = true;
+      for (const Vec3& corner : corners) {
+        signs_.push_back(side(loop[j], loop[after(j, loop.size())], corner, cell, reach));
+        outside = outside && signs_.back() < 0;
       }
+      apart_ = apart_ || outside;
     }
   }
+  /// Whether all corners lie outside of one edge, from all of the cell.
+  bool apart() const { return apart_; }
   /// Whether the ends of the corners' edge i lie on one side of edge j from all of the cell.
   bool beside(std::size_t i, std::size_t j) const {
-    const int start = signs_[i * edges_ + j], end = signs_[after(i, signs_.size() / edges_) * edges_ + j];
+    const std::size_t corners = signs_.size() / edges_;
+    const int start = signs_[j * corners + i], end = signs_[j * corners + after(i, corners)];
     return start != 0 && start == end;
   }
 
  private:
   std::size_t edges_;
   std::vector<int> signs_;
+  bool apart_ = false;
 };
 
 /// Pairs of edges of two loops that may cross in the view.
 struct Crossings {
+  /// `second` is an outline: seen from the cell, it is the same way round as a convex region.
   Crossings(std::span<const Vec3> first, std::span<const Vec3> second, const Cell& cell) : size(second.size()) {
-    const Sides there(first, second, cell), back(second, first, cell);
+    const Sides there(first, second, cell);
+    if (there.apart()) {
+      may.assign(first.size() * second.size(), false);
+      return;
+    }
+    const Sides back(second, first, cell);
     for (std::size_t i = 0; i < first.size(); ++i) {
       for (std::size_t j = 0; j < second.size(); ++j) may.push_back(!there.beside(i, j) && !back.beside(j, i));
     }
@@ -161,13 +176,19 @@ void add_curves(std::span<const Vec3> first, std::span<const Vec3> second, const
 std::vector<EventCurve> event_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines,
                                      const Cell& cell) {
   std::vector<EventCurve> curves;
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    for (std::size_t j = i + 1; j < outlines.size(); ++j) {
-      const Crossings pairs(outlines[i], outlines[j], cell);
+  // Outlines past which all of the receiver is seen, from all of the cell, hide nothing that counts.
+  std::vector<std::span<const Vec3>> hiding;
+  if (outlines.size() < 2) return curves;
+  for (const Outline& outline : outlines) {
+    if (!Sides(receiver, outline, cell).apart()) hiding.push_back(outline);
+  }
+  for (std::size_t i = 0; i < hiding.size(); ++i) {
+    for (std::size_t j = i + 1; j < hiding.size(); ++j) {
+      const Crossings pairs(hiding[i], hiding[j], cell);
       if (!pairs.any()) continue;
-      add_curves(outlines[i], outlines[j], pairs, receiver, cell, curves);
-      for (std::size_t k = j + 1; k < outlines.size(); ++k) {
-        add_curves(outlines[i], outlines[j], pairs, outlines[k], cell, curves);
+      add_curves(hiding[i], hiding[j], pairs, receiver, cell, curves);
+      for (std::size_t k = j + 1; k < hiding.size(); ++k) {
+        add_curves(hiding[i], hiding[j], pairs, hiding[k], cell, curves);
       }
     }
   }

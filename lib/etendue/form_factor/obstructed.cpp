@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "etendue/core/contract.hpp"
@@ -11,6 +12,7 @@
 #include "etendue/form_factor/outer_integral.hpp"
 #include "etendue/form_factor/point_polygon.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
+#include "etendue/geometry/extent.hpp"
 
 namespace etendue {
 
@@ -33,6 +35,32 @@ struct Plates {
   std::vector<const Blocker*> pointers;
 };
 
+/// facing_pair() of two polygons that lie clearly in front of one another, as most do: nothing is cut, so nothing has to
+/// be exact. Nothing where that is in doubt.
+std::optional<FacingPair> whole_pair(const Polygon& from, const Polygon& to) {
+  constexpr double kClear = 0x1p-40;  // of the distance; rounding moves heights by a few u of it
+  const auto in_front = [](const Polygon& plane, const Polygon& polygon) {
+    const Vec3& base = plane.vertices().front();
+    for (const Vec3& v : polygon.vertices()) {
+      if (!(plane.normal().dot(v - base) > kClear * ((v - base).cwiseAbs().sum() + base.cwiseAbs().sum()))) return false;
+    }
+    return true;
+  };
+  if (!in_front(from, to) || !in_front(to, from)) return std::nullopt;
+  const Vec3 &a = from.vertices().front(), &b = to.vertices().front();
+  const double size =
+      std::max({extent_of(from.vertices()).size, extent_of(to.vertices()).size, (b - a).cwiseAbs().maxCoeff()});
+  FacingPair pair;
+  pair.scale = std::ldexp(1.0, -std::ilogb(size));
+  pair.from = make_loop(localised(from.vertices(), a, pair.scale));
+  pair.to = make_loop(localised(to.vertices(), b, pair.scale));
+  pair.from.normal = from.normal();
+  pair.to.normal = to.normal();
+  pair.offset = pair.scale * (b - a);
+  pair.from_area = pair.scale * pair.scale * from.area();
+  return pair;
+}
+
 /// F lies in [0, free]: moving the value into the range by at most its error only brings it nearer to the truth.
 void clamp(ObstructedFormFactor& f) {
   const double computed = f.value;
@@ -54,7 +82,8 @@ ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& 
   result.free.value = std::min(result.free.value, to.area() / from.area());
   static_cast<Bounded&>(result) = result.free;
   if (result.free.value == 0 || blockers.empty()) return result;
-  const FacingPair pair = facing_pair(from, to);
+  const auto whole = whole_pair(from, to);
+  const FacingPair pair = whole ? *whole : facing_pair(from, to);
   if (!pair.sees()) return result;
   if (result.free.value + result.free.bound <= tolerance.absolute) {
     result.value = 0.5 * result.free.value;

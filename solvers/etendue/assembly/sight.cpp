@@ -62,11 +62,11 @@ struct Farthest {
   }
 };
 
-/// A convex set in front of none of the planes of its own faces: does the line from a to b pass through it?
-bool pierced(const ElementMesh& mesh, std::span<const std::size_t> planes, const Vec3& a, const Vec3& b) {
+/// Whether the line from a to b passes through the convex set behind all planes, deeper than `skin`.
+bool pierced(const ElementMesh& mesh, std::span<const std::size_t> planes, const Vec3& a, const Vec3& b, double skin) {
   double enters = 0, leaves = 1;
   for (const std::size_t f : planes) {
-    const double from = height(mesh.faces[f].polygon, a), to = height(mesh.faces[f].polygon, b);
+    const double from = height(mesh.faces[f].polygon, a) + skin, to = height(mesh.faces[f].polygon, b) + skin;
     if (from >= 0 && to >= 0) return false;
     if (from > 0) enters = std::max(enters, from / (from - to));
     if (to > 0) leaves = std::min(leaves, from / (from - to));
@@ -196,7 +196,7 @@ bool SightMap::stands_between(const Body& body, const Pair& pair) const {
   const std::vector<Vec3>& points = blockers_[body.blocker].points();
   if (greatest_height(pair.from, points) <= slack_ || greatest_height(pair.to, points) <= slack_) return false;
   const bool solid = blockers_[body.blocker].is_solid();
-  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre)) return true;
+  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre, 2 * slack_)) return true;
   for (const std::size_t f : body.planes) {
     const Range a = heights(mesh_.faces[f].polygon, pair.from), b = heights(mesh_.faces[f].polygon, pair.to);
     if (std::min(a.low, b.low) >= -slack_) return false;
@@ -226,6 +226,12 @@ bool SightMap::separated(const Body& body, const Pair& pair) const {
     const double square = contradiction.squaredNorm();
     if (!(square > 0)) break;
     axis -= 2 * (axis.dot(contradiction) / square) * contradiction;
+  }
+  // What a line between two corners passes through is not separated by any plane.
+  for (const Vec3& p : pair.from.vertices()) {
+    for (const Vec3& q : pair.to.vertices()) {
+      if (blockers_[body.blocker].is_solid() && pierced(mesh_, body.planes, p, q, 2 * slack_)) return false;
+    }
   }
   const auto separates = [&](const Vec3& normal) {
     const double length = normal.norm();
