@@ -40,6 +40,28 @@ TEST(PairFactor, SeesThroughNarrowWays) {
   }
 }
 
+// CLAIM      IU.6-4, IU.6-5: two sides that disagree are compared over parts, down to the last quartering, and the pair
+//            says that they still do; the larger value keeps the difference as its bound.
+// ORACLE     identity: a plate open at the back stops what comes from the floor and nothing that comes from the ceiling.
+// TOLERANCE  none on the count; the returned bounds on the values.
+TEST(PairFactor, QuartersTheTwoSidesWhileTheyDisagree) {
+  proves({"IU.6-4", "IU.6-5"}, Oracle::identity, "a plate that blocks one way only");
+  const Polygon floor = quadrilateral({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+  const Polygon ceiling = quadrilateral({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1});
+  const Blocker plate =
+      Blocker::plate(quadrilateral({-4, -4, 0.5}, {-4, 4, 0.5}, {4, 4, 0.5}, {4, -4, 0.5}), BlockingSides::front);
+  const PairFactor found = two_sided_factor({floor, ceiling, {&plate}}, {});
+  EXPECT_EQ(found.quarterings, kMostQuarterings);
+  EXPECT_TRUE(holds(found.checked && !found.agree));
+  const Bounded free = form_factor(floor, ceiling);
+  EXPECT_TRUE(near(found.factor.value, free.value, 1e-6 * free.value));
+  EXPECT_TRUE(near(found.factor.bound, free.value, 1e-6 * free.value));
+  // One side alone asks nothing of the other, where no curve crosses it.
+  const PairFactor one = one_sided_factor({floor, ceiling, {&plate}}, {});
+  EXPECT_TRUE(holds(!one.checked && one.quarterings == 0));
+  EXPECT_TRUE(within(one.factor.value, 0));
+}
+
 // CLAIM      IU.6-4: a tolerance that cannot be reached is reported pair by pair, with the worst; one that is reached is
 //            not.
 // ORACLE     identity: the bounds that the matrix itself returns against the tolerance.

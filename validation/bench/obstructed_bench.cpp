@@ -2,9 +2,11 @@
 // Form factors past blockers: single pairs, and rows of a furnished room whose sums must be one.
 #include <benchmark/benchmark.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "etendue/assembly/sight.hpp"
@@ -57,47 +59,72 @@ ElementMesh furnished_room(int n) {
   return mesh;
 }
 
+/// Whether furniture stands on a part of the element: what it covers sees nothing, and the row's sum is not one.
+bool partly_covered(const ElementMesh& mesh, std::size_t i) {
+  constexpr double kInPlane = 1e-12;
+  const Polygon& element = mesh.elements[i].polygon;
+  const Eigen::AlignedBox3d own = [&] {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& v : element.vertices()) box.extend(v);
+    return box;
+  }();
+  for (const etendue::Face& face : mesh.faces) {
+    if (face.object == mesh.face_of(mesh.elements[i]).object) continue;
+    Eigen::AlignedBox3d box;
+    double off = 0;
+    for (const Vec3& v : face.polygon.vertices()) {
+      box.extend(v);
+      off = std::max(off, std::abs(element.normal().dot(v - element.centroid())));
+    }
+    if (off < kInPlane && own.intersects(box)) return true;
+  }
+  return false;
+}
+
 struct RowSum {
   double value = 0, bound = 0;
   std::size_t clear = 0, partial = 0, evaluations = 0;
 };
 
-RowSum row_sum(const ElementMesh& mesh, const etendue::SightMap& sights, std::size_t i, double relative) {
+/// A row whose bounds add up to `asked`: half of it for the pairs past blockers, each the same share.
+RowSum row_sum(const ElementMesh& mesh, const etendue::SightMap& sights, std::size_t i, double asked) {
   RowSum sum;
   const Polygon& from = mesh.elements[i].polygon;
+  std::vector<std::pair<std::size_t, etendue::SightLine>> partial;
   for (std::size_t j = 0; j < mesh.elements.size(); ++j) {
     if (i == j) continue;
-    const etendue::SightLine line = sights.between(i, j);
-    if (line.sight == etendue::Sight::averted || line.sight == etendue::Sight::blocked) continue;
-    const Polygon& to = mesh.elements[j].polygon;
-    etendue::Bounded f;
-    if (line.bodies.empty()) {
-      f = etendue::form_factor(from, to, {0.1 * relative, 0});
-      ++sum.clear;
-    } else {
-      const auto g = etendue::obstructed_form_factor(from, to, line.bodies, {relative, 0.01 * relative / 3500});
-      sum.evaluations += static_cast<std::size_t>(g.evaluations);
-      f = g;
-      ++sum.partial;
-    }
+    etendue::SightLine line = sights.between(i, j);
+    if (line.sight == etendue::Sight::undecided) partial.emplace_back(j, std::move(line));
+    if (line.sight != etendue::Sight::clear) continue;
+    const etendue::Bounded f = etendue::form_factor(from, mesh.elements[j].polygon, {0.1 * asked, 0});
+    sum.value += f.value;
+    sum.bound += f.bound;
+    ++sum.clear;
+  }
+  sum.partial = partial.size();
+  for (const auto& [j, line] : partial) {
+    const double share = asked / (2 * static_cast<double>(partial.size()));
+    const auto f = etendue::obstructed_form_factor(from, mesh.elements[j].polygon, line.bodies, {0, share});
+    sum.evaluations += static_cast<std::size_t>(f.evaluations);
     sum.value += f.value;
     sum.bound += f.bound;
   }
   return sum;
 }
 
-/// Every 211th row of the room at 10^-digits. `full_matrix_s` is what half of all rows would take.
+/// Every 211th row of the room, its sum right to 10^-digits: `row_bound` is what the bounds add up to, `row_defect` what
+/// the sum of an uncovered element misses one by. `full_matrix_s` is what half of all rows would take.
 void rows_of_a_furnished_room(benchmark::State& state) {
   const ElementMesh mesh = furnished_room(static_cast<int>(state.range(0)));
   const etendue::SightMap sights(mesh);
-  const double relative = std::pow(10.0, -static_cast<double>(state.range(1)));
+  const double asked = std::pow(10.0, -static_cast<double>(state.range(1)));
   double defect = 0, bound = 0;
   std::size_t rows = 0, partial = 0, clear = 0, evaluations = 0;
   for (auto _ : state) {
     for (std::size_t i = 0; i < mesh.elements.size(); i += 211) {
-      const RowSum sum = row_sum(mesh, sights, i, relative);
+      const RowSum sum = row_sum(mesh, sights, i, asked);
       if (sum.value == 0) continue;  // under a box
-      defect = std::max(defect, std::abs(1 - sum.value));
+      if (!partly_covered(mesh, i)) defect = std::max(defect, std::abs(1 - sum.value));
       bound = std::max(bound, sum.bound);
       partial += sum.partial;
       clear += sum.clear;

@@ -62,6 +62,26 @@ TEST(CriticalLines, EndWhereTheLineOfSightMissesTheReceiver) {
   EXPECT_TRUE(holds(!listed(4)));
 }
 
+// CLAIM      IU.6-4: two upright edges one behind the other cover one another at once, as seen from the plane through both:
+//            the line is listed although the receiver is seen only past the lower parts of them, not past their corners.
+// ORACLE     closed form: edges over (0.5, 0.5) and (0.75, 0.25), from height 1/32 to 2: the line x + y = 1.
+// TOLERANCE  zero: dyadic.
+TEST(CriticalLines, CountParallelEdgesByTheirWholeLength) {
+  proves({"IU.6-4"}, Oracle::closed_form, "two upright edges: the line through their feet");
+  const auto upright = [](double x, double y) {
+    return std::vector<Vec3>{{x, y, 0.03125}, {x, y, 2}, {x - 0.25, y - 0.25, 2}, {x - 0.25, y - 0.25, 0.03125}};
+  };
+  const SightZone zone{
+      {{0.8125, 0}, {1.5, 0}, {1.5, 0.5}, {0.8125, 0.5}}, {upright(0.5, 0.5), upright(0.75, 0.25)}, false};
+  // A strip far behind them and in the middle of their height: the lines of sight to the corners pass over and under it.
+  const std::vector<Vec3> strip{{-1, 1, 1}, {-1, 3, 1}, {-1, 3, 1.5}, {-1, 1, 1.5}};
+  const std::vector<CriticalLine> lines = critical_lines(strip, zone);
+  const bool listed = std::any_of(lines.begin(), lines.end(), [](const CriticalLine& line) {
+    return line.normal.x() == line.normal.y() && line.level / line.normal.x() == 1 && line.begin < line.end;
+  });
+  EXPECT_TRUE(holds(listed)) << lines.size() << " lines";
+}
+
 // CLAIM      IU.6-4: however many lines are drawn through a zone, the cells between them fill it, and no line passes
 //            through the inside of a cell.
 // ORACLE     identity: areas add up to one; no corner of a cell lies on the far side of a line from another.

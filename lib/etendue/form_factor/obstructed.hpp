@@ -23,6 +23,7 @@ struct ObstructedFormFactor : Bounded {
   double clamped_by = 0;  ///< how far the value was moved; never more than the bound before
   int cells = 0;          ///< pieces of the source over which was integrated
   int evaluations = 0;    ///< points from which the receiver was looked at
+  bool curved = false;    ///< curves of three edges cross the source: the estimate rests on how far it was cut there
   bool reached = true;    ///< false: the work limit came before the tolerance, and the bound says how far it got
 };
 
@@ -37,8 +38,8 @@ struct ObstructedFormFactor : Bounded {
 /// Returns   0 ≤ value ≤ free ≤ min(1, A_2/A_1), and a bound on its absolute error. Where the free factor is itself below
 ///           tolerance.absolute, half of it
 /// Accuracy  the free part is bounded by proof. The outer integral is cut along every line where visibility changes
-///           its form before a node is set, so no gap is too narrow to be found; its error is estimated from two rules
-///           of different order: measured, NOTES.md §5
+///           its form before a node is set, so no gap is too narrow to be found; its error is estimated from the
+///           distance of the edges and the coefficients found: measured, NOTES.md §5
 /// Errors    ContractViolation for a negative tolerance
 /// Source    Heckbert 1992 and Drettakis and Fiume 1994 for the critical lines
 [[nodiscard]] ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,

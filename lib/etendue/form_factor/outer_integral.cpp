@@ -105,6 +105,7 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   integrand_ = dark || hidden > 0.5 * free ? Integrand::visible : Integrand::hidden;
   const double share = goal / static_cast<double>(pieces_.size());
   for (Piece& piece : pieces_) measure(piece, share);
+  note();
 
   double reach = 0, outline = 0, area = 0;
   for (const Zone& zone : zones_) {
@@ -220,13 +221,7 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * spread);
 }
 
-double OuterIntegral::value() const {
-  double sum = 0;
-  for (const Piece& piece : pieces_) sum += piece.value;
-  return sum;
-}
-
-double OuterIntegral::error() const {
+double OuterIntegral::sum_of_errors() const {
   double sum = 0;
   for (const Piece& piece : pieces_) sum += piece.error;
   return sum;
@@ -236,11 +231,16 @@ bool OuterIntegral::exhausted() const {
   return evaluations_ >= kMostEvaluations || pieces_.empty();
 }
 
-void OuterIntegral::refine(double goal) {
-  // Cells below their share cannot bring the sum down; all others are refined at once. A goal far off is approached in
-  // steps: what asks for less does the same work up to there, so that where the work ends no one gets more for asking less.
-  constexpr double kStep = 1.0 / 32;
-  const double share = std::max(goal, kStep * error()) / static_cast<double>(pieces_.size());
+bool OuterIntegral::curved() const {
+  return std::any_of(pieces_.begin(), pieces_.end(),
+                     [](const Piece& piece) { return piece.bend > 0 || !piece.curves.empty(); });
+}
+
+void OuterIntegral::refine() {
+  // Cells below their share cannot bring the sum down; all others are refined at once. The steps know nothing of what is
+  // asked in the end: who asks for more goes the same way, farther, and where the work ends gets what was best on it.
+  constexpr double kStep = 1.0 / 8;
+  const double share = kStep * sum_of_errors() / static_cast<double>(pieces_.size());
   const std::size_t count = pieces_.size();
   for (std::size_t i = 0; i < count && evaluations_ < kMostEvaluations; ++i) {
     Piece& piece = pieces_[i];
@@ -258,6 +258,15 @@ void OuterIntegral::refine(double goal) {
     }
     halve(i, share);
   }
+  note();
+}
+
+void OuterIntegral::note() {
+  const double error = sum_of_errors();
+  if (error > error_) return;
+  error_ = error;
+  value_ = 0;
+  for (const Piece& piece : pieces_) value_ += piece.value;
 }
 
 void OuterIntegral::halve(std::size_t index, double share) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "etendue/form_factor/cell_rule.hpp"
@@ -20,16 +21,19 @@ class OuterIntegral {
   OuterIntegral(const SightSpace& space, double free, double goal);
 
   Integrand integrand() const { return integrand_; }
-  double value() const;
-  double error() const;
+  double value() const { return value_; }
+  double error() const { return error_; }
   /// What rounding may have done to the value.
   double rounding() const { return rounding_; }
   int cells() const { return static_cast<int>(pieces_.size()); }
   int evaluations() const { return evaluations_; }
   bool exhausted() const;
+  /// Whether curves cross cells, or cells were cut along their chords.
+  bool curved() const;
 
-  /// Refines all cells whose errors stand out, until the sum may have come down to `goal`.
-  void refine(double goal);
+  /// Refines all cells whose errors stand out, to bring the sum down to an eighth. value() and error() are those of the
+  /// best state so far.
+  void refine();
 
  private:
   struct Zone {
@@ -40,14 +44,14 @@ class OuterIntegral {
   struct Piece {
     Cell cell;
     std::size_t zone = 0;
-    int nodes = 0;          ///< a side, of the rule that gave the value
-    double free = 0;        ///< the factor without blockers, at the centre
-    double decay = 1;       ///< by which coefficients fall from one degree to the next; 1 where that is not known
-    double bend = 0;        ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
+    int nodes = 0;     ///< a side, of the rule that gave the value
+    double free = 0;   ///< the factor without blockers, at the centre
+    double decay = 1;  ///< by which coefficients fall from one degree to the next; 1 where that is not known
+    double bend = 0;   ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
     std::vector<EventCurve> curves;  ///< that may cross the cell
-    bool none = false;      ///< seen from the centre, nothing is hidden
-    bool all = false;       ///< seen from the centre, everything is
-    double hidden = 0;      ///< factor of what is, at the centre
+    bool none = false;               ///< seen from the centre, nothing is hidden
+    bool all = false;                ///< seen from the centre, everything is
+    double hidden = 0;               ///< factor of what is, at the centre
     std::array<double, 2> tails{};   ///< CellSum::tails
     double value = 0;
     double error = 0;
@@ -61,10 +65,13 @@ class OuterIntegral {
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
   void halve(std::size_t index, double share);
+  double sum_of_errors() const;
+  void note();
 
   std::vector<Zone> zones_;
   std::vector<Piece> pieces_;
   Integrand integrand_ = Integrand::hidden;
+  double value_ = 0, error_ = std::numeric_limits<double>::infinity();
   double rounding_ = 0;
   int evaluations_ = 0;
 };

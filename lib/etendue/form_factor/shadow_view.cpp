@@ -17,7 +17,8 @@ namespace {
 /// atan(√q)/√q for q up to kShortArc: what Taylor's series leaves out, q⁹/19, is below 2^-58.
 constexpr double kShortArc = 1.0 / 64;
 double arc_over_tangent(double q) {
-  constexpr std::array<double, 9> kTaylor{1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1};
+  constexpr std::array<double, 9> kTaylor{1.0 / 17, 1.0 / 15, 1.0 / 13, 1.0 / 11, 1.0 / 9,
+                                          1.0 / 7,  1.0 / 5,  1.0 / 3,  1};
   double sum = 0;
   for (const double coefficient : kTaylor) sum = coefficient - q * sum;
   return sum;

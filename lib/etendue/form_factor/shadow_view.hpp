@@ -30,10 +30,10 @@ class ShadowView {
   /// What a rule over a cell around x is chosen by.
   struct Survey {
     double free = 0, hidden = 0;
-    bool none = true;   ///< nothing is hidden
-    bool all = false;   ///< nothing is seen
-    double reach = 0;   ///< how far x may move, to complex points even, before the factor stops being analytic: to the
-                        ///< nearest edge, or until two that cross in the view are one; estimated, NOTES.md §5
+    bool none = true;  ///< nothing is hidden
+    bool all = false;  ///< nothing is seen
+    double reach = 0;  ///< how far x may move, to complex points even, before the factor stops being analytic: to the
+                       ///< nearest edge, or until two that cross in the view are one; estimated, NOTES.md §5
   };
   [[nodiscard]] Survey survey(const Vec2& x);
 
@@ -41,9 +41,9 @@ class ShadowView {
   using Part = std::vector<Vec3>;
   /// What a survey gathers on the way.
   struct Trace {
-    double to_edges;       ///< least distance of an edge of an outline that hides something
-    double to_lines;       ///< of the line of an edge that cuts
-    double least_sine = 1; ///< of the angle in the view between two edges that meet there
+    double to_edges;        ///< least distance of an edge of an outline that hides something
+    double to_lines;        ///< of the line of an edge that cuts
+    double least_sine = 1;  ///< of the angle in the view between two edges that meet there
   };
   void note_shadow(const Outline& loop, const Part& hidden, const Vec3& eye);
   void take_shadow(std::size_t outline, const Vec3& eye, bool last, Want want, Seen& seen);

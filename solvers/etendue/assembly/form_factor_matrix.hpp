@@ -49,9 +49,8 @@ struct FormFactorMatrix {
 
 /// F_ij for all pairs i < j, and F_ji = A_i F_ij / A_j.                                  @eq IU.6-3, IU.6-4, IU.6-5
 ///
-/// Accuracy  clear pairs: as form_factor() bounds them, proved. Obstructed pairs: computed from both sides; the larger
-///           value is taken, and its bound is the larger of the two estimates and of the difference; where they
-///           disagree, parts are compared instead (two_sided_factor()): measured. Touching surfaces: as SightMap::slack()
+/// Accuracy  clear pairs: as form_factor() bounds them, proved. Obstructed pairs: as ExactExchange computes them,
+///           measured. Touching surfaces: as SightMap::slack()
 /// Returns   also where the tolerance is missed, with the bounds reached: MissedTolerance counts these pairs
 /// Order     the same bits with any number of threads; stops between rows
 [[nodiscard]] FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTolerance& tolerance,

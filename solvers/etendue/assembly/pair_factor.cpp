@@ -39,16 +39,17 @@ std::vector<Polygon> quartered(const std::vector<Polygon>& polygons) {
 // One side of a pair.
 struct Side {
   Bounded factor, free;
+  bool curved = false;
 };
 
 Side seen_from(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
                const AssemblyTolerance& tolerance) {
   if (blockers.empty()) {
     const Bounded free = form_factor(from, to, tolerance.free);
-    return {free, free};
+    return {free, free, false};
   }
   const ObstructedFormFactor found = obstructed_form_factor(from, to, blockers, tolerance.obstructed);
-  return {found, found.free};
+  return {found, found.free, found.curved};
 }
 
 // The mean over the parts of the source, weighted by area.
@@ -79,23 +80,9 @@ Comparison compared(const Bounded& there, const Bounded& back, double ratio, con
   return {result, !reached || (result.agree && difference <= allowed_error(tolerance, larger, ratio))};
 }
 
-}  // namespace
-
-PairFactor compared_factor(const Bounded& there, const Bounded& back, double area_ratio) {
-  const Bounded as_there{back.value / area_ratio, back.bound / area_ratio};
-  const double difference = std::abs(there.value - as_there.value), larger = std::max(there.value, as_there.value);
-  PairFactor result;
-  result.checked = true;
-  result.factor = {larger, std::max({there.bound, as_there.bound, difference})};
-  // Two roundings on A_2 F_21 / A_1.
-  result.agree = difference <= there.bound + as_there.bound + gamma_bound(4) * larger;
-  result.difference = difference * std::min(1.0, area_ratio);
-  return result;
-}
-
-PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+// The same from the other side, and from parts until the two agree.
+PairFactor checked(const ElementPair& pair, const Side& there, const AssemblyTolerance& tolerance) {
   const double ratio = pair.first.area() / pair.second.area();
-  const Side there = seen_from(pair.first, pair.second, pair.blockers, tolerance);
   const Side back = seen_from(pair.second, pair.first, pair.blockers, tolerance);
   Comparison result = compared(there.factor, back.factor, ratio, tolerance.obstructed);
   result.pair.free = there.free;
@@ -113,6 +100,33 @@ PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& to
     result.pair.free = there.free;
   }
   return result.pair;
+}
+
+}  // namespace
+
+PairFactor compared_factor(const Bounded& there, const Bounded& back, double area_ratio) {
+  const Bounded as_there{back.value / area_ratio, back.bound / area_ratio};
+  const double difference = std::abs(there.value - as_there.value), larger = std::max(there.value, as_there.value);
+  PairFactor result;
+  result.checked = true;
+  result.factor = {larger, std::max({there.bound, as_there.bound, difference})};
+  // Two roundings on A_2 F_21 / A_1.
+  result.agree = difference <= there.bound + as_there.bound + gamma_bound(4) * larger;
+  result.difference = difference * std::min(1.0, area_ratio);
+  return result;
+}
+
+PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+  const Side there = seen_from(pair.first, pair.second, pair.blockers, tolerance);
+  if (there.curved) return checked(pair, there, tolerance);
+  PairFactor result;
+  result.factor = there.factor;
+  result.free = there.free;
+  return result;
+}
+
+PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
+  return checked(pair, seen_from(pair.first, pair.second, pair.blockers, tolerance), tolerance);
 }
 
 double allowed_error(const Tolerance& tolerance, double factor, double area_ratio) {

@@ -164,8 +164,8 @@ SightLine SightMap::between(std::size_t first, std::size_t second) const {
     return {Sight::averted, {}, {}};
   }
   const Bounds &a = element_bounds_[first], &b = element_bounds_[second];
-  const Pair pair{from, to, element_balls_[first], element_balls_[second],
-                  {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}};
+  const Pair pair{
+      from, to, element_balls_[first], element_balls_[second], {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}};
   SightLine line{Sight::clear, {}, {}};
   for (const Body& body : bodies_) {
     if (!stands_between(body, pair)) continue;
