@@ -2,27 +2,33 @@
 #include <cmath>
 
 #include "etendue/form_factor/catalogue/families.hpp"
+#include "etendue/form_factor/catalogue/round_formulas.hpp"
 
 namespace etendue::catalogue {
 
-namespace {
-
-/// √((z² − 4 l² r²)) for z = l² + h² + r², as a product of two distances: from the element to the disc's near and far end.
 Counted near_by_far(const Counted& l, const Counted& h, const Counted& r) {
   return hypot(l - r, h) * hypot(l + r, h);
 }
 
-/// Element facing the disc's plane from a lateral distance l.
-Counted facing(const Counted& l, const Counted& h, const Counted& r) {
+Counted facing_disc(const Counted& l, const Counted& h, const Counted& r) {
   const Counted s = near_by_far(l, h, r), rest = square(l) + square(h) - square(r);
   if (rest.value.high > 0) return 2 * square(r) * square(h) / (s * (s + rest));
   return (s - rest) / (2 * s);
 }
 
-/// Element beside the disc's cylinder, its normal towards the axis.
-Counted beside(const Counted& l, const Counted& h, const Counted& r) {
+Counted beside_disc(const Counted& l, const Counted& h, const Counted& r) {
   const Counted s = near_by_far(l, h, r), z = square(l) + square(h) + square(r);
-  return 2 * h * l * square(r) / (s * (z + s));
+  return 2 * h * square(r) / (s * (z + s));
+}
+
+namespace {
+
+Counted facing(const Counted& l, const Counted& h, const Counted& r) {
+  return facing_disc(l, h, r);
+}
+
+Counted beside(const Counted& l, const Counted& h, const Counted& r) {
+  return l * beside_disc(l, h, r);
 }
 
 Drawing over_axis(double radius, double hole) {

@@ -3,13 +3,12 @@
 #include <cmath>
 
 #include "etendue/form_factor/catalogue/families.hpp"
+#include "etendue/form_factor/catalogue/round_formulas.hpp"
 
 namespace etendue::catalogue {
 
-namespace {
-
-/// Element whose sphere is `h` radii above its plane and `l` aside, cut by the horizon where |h| < 1. What stands in
-/// catalogue no. 19 of a widely copied program differs in three places; sphere_errata_test.cpp shows them fail.
+// What stands in catalogue no. 19 of a widely copied program differs in three places; sphere_errata_test.cpp shows them
+// fail.
 Counted cut_sphere(const Counted& h, const Counted& l) {
   const Counted x = square(l) + square(h);
   if (h.value.high >= 1) return h / (x * sqrt(x));
@@ -17,6 +16,8 @@ Counted cut_sphere(const Counted& h, const Counted& l) {
   const Counted first = h / (x * sqrt(x)) * atan2(sqrt(x) * below, -(h * y));
   return (first - y * below / x + atan2(below, y)) / pi();
 }
+
+namespace {
 
 Drawing beside_cylinder() {
   Drawing d;
