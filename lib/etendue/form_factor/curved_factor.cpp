@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/form_factor/curved_factor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <vector>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/gauss_legendre.hpp"
+#include "etendue/form_factor/patch_chart.hpp"
+
+namespace etendue {
+
+namespace {
+
+constexpr int kCoarse = 3, kFine = 5;
+/// Halvings of a cell before any point of it is looked from.
+constexpr int kMostSeeding = 8;
+/// Of the error of a cell each quarter takes over so much at least: where all nodes of both rules miss a kink that runs
+/// along a side, the difference is zero by accident, but not time after time.
+constexpr double kInherited = 1.0 / 64;
+/// A cell twice as wide as its distance from what is seen still shows it in all its nodes.
+constexpr double kWidest = 2;
+
+struct Cell {
+  std::size_t chart;
+  double s, t, side;  ///< least corner in the chart's square
+  Bounded exchange{};
+  double rounding = 0;
+};
+
+struct Order {
+  double error;
+  std::size_t cell;
+  bool operator<(const Order& other) const { return error != other.error ? error < other.error : cell > other.cell; }
+};
+
+/// What makes the integrand change quickly: near it cells must be small.
+struct Feature {
+  Vec3 from, to;  ///< a stretch from which its surface is no farther than `size`
+  double size;
+  double distance(const Vec3& point) const {
+    const Vec3 along = to - from;
+    const double length = along.squaredNorm();
+    const double share = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0;
+    return (point - from - share * along).norm();
+  }
+};
+
+template <class Shape>
+Feature feature_of(const Shape& shape) {
+  if (const auto* ball = std::get_if<Sphere>(&shape)) return {ball->centre, ball->centre, ball->radius};
+  if (const auto* plate = std::get_if<Disc>(&shape)) return {plate->centre, plate->centre, plate->radius};
+  const auto& cylinder = std::get<Cylinder>(shape);
+  return {cylinder.base, cylinder.top, cylinder.radius};
+}
+
+class Integral {
+ public:
+  Integral(const CurvedPatch& from, const CurvedPatch& to, std::span<const CurvedBlocker* const> blockers,
+           const CurvedGoal& goal)
+      : to_(to), blockers_(blockers), goal_(goal) {
+    const PatchBall ball = ball_around(to);
+    charts_ = PatchChart::covering(from, ball.middle, ball.size, cuts_of(from, to, blockers));
+    if (!std::holds_alternative<Polygon>(to)) features_.push_back(feature_of(to));
+    for (const CurvedBlocker* blocker : blockers) {
+      if (!std::holds_alternative<Blocker>(*blocker)) features_.push_back(feature_of(*blocker));
+    }
+  }
+
+  CurvedExchangeArea find() {
+    for (std::size_t k = 0; k < charts_.size(); ++k) seed({k, 0, 0, 1}, 0);
+    double error = 0, value = 0;
+    std::priority_queue<Order> open;
+    for (std::size_t k = 0; k < cells_.size(); ++k) {
+      look(cells_[k], 0);
+      error += cells_[k].exchange.bound;
+      value += cells_[k].exchange.value;
+      open.push({cells_[k].exchange.bound, k});
+    }
+    while (error > std::max(goal_.absolute, goal_.relative * value) && views_ < goal_.most_views && !open.empty()) {
+      const std::size_t worst = open.top().cell;
+      open.pop();
+      const Cell whole = cells_[worst];
+      error -= whole.exchange.bound;
+      value -= whole.exchange.value;
+      for (int k = 0; k < 4; ++k) {
+        const double half = 0.5 * whole.side;
+        Cell part{whole.chart, whole.s + (k % 2) * half, whole.t + (k / 2) * half, half};
+        look(part, kInherited * whole.exchange.bound);
+        error += part.exchange.bound;
+        value += part.exchange.value;
+        const std::size_t place = k == 0 ? worst : cells_.size();
+        if (k == 0) {
+          cells_[place] = part;
+        } else {
+          cells_.push_back(part);
+        }
+        open.push({part.exchange.bound, place});
+      }
+    }
+    return summed();
+  }
+
+ private:
+  void seed(const Cell& cell, int halvings) {
+    if (halvings < kMostSeeding && too_wide(cell)) {
+      const double half = 0.5 * cell.side;
+      for (int k = 0; k < 4; ++k)
+        seed({cell.chart, cell.s + (k % 2) * half, cell.t + (k / 2) * half, half}, halvings + 1);
+      return;
+    }
+    cells_.push_back(cell);
+  }
+
+  bool too_wide(const Cell& cell) const {
+    if (cell.side == 1 && !blockers_.empty()) return true;
+    const PatchChart& chart = charts_[cell.chart];
+    const Vec3 middle = chart.at(cell.s + 0.5 * cell.side, cell.t + 0.5 * cell.side).point;
+    double reach = 0;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 corner = chart.at(cell.s + (k % 2) * cell.side, cell.t + (k / 2) * cell.side).point;
+      reach = std::max(reach, (corner - middle).norm());
+    }
+    for (const Feature& feature : features_) {
+      const double distance = feature.distance(middle);
+      const double near = std::max(distance - reach, feature.size);
+      // What the cell can exchange with it at most, or have hidden by it.
+      const double most = 4 * reach * reach * std::min(1.0, (feature.size / near) * (feature.size / near));
+      if (2 * reach > kWidest * distance && most > goal_.absolute) return true;
+    }
+    return false;
+  }
+
+  // `least`: the error to be taken at least.
+  void look(Cell& cell, double least) {
+    double fine = 0, coarse = 0, rounding = 0;
+    for (const int nodes : {kCoarse, kFine}) {
+      double sum = 0;
+      for (const QuadratureNode& a : gauss_legendre(nodes)) {
+        for (const QuadratureNode& b : gauss_legendre(nodes)) {
+          const PatchSpot spot =
+              charts_[cell.chart].at(cell.s + 0.5 * cell.side * (1 + a.x), cell.t + 0.5 * cell.side * (1 + b.x));
+          const Bounded factor = visible_point_to_patch(spot.point, spot.normal, to_, blockers_);
+          const double weight = 0.25 * cell.side * cell.side * a.weight * b.weight * spot.area;
+          sum += weight * factor.value;
+          if (nodes == kFine) rounding += weight * factor.bound;
+        }
+      }
+      (nodes == kFine ? fine : coarse) = sum;
+    }
+    views_ += kCoarse * kCoarse + kFine * kFine;
+    cell.exchange = {fine, std::max(least, std::abs(fine - coarse))};
+    cell.rounding = rounding;
+  }
+
+  CurvedExchangeArea summed() const {
+    CurvedExchangeArea area;
+    double rounding = 0;
+    for (const Cell& cell : cells_) {
+      area.value += cell.exchange.value;
+      area.bound += cell.exchange.bound;
+      rounding += cell.rounding;
+    }
+    constexpr int kRoundings = 64;  // of a weight, a spot, and the sums, which add few digits to what is of one sign
+    rounding += gamma_bound(kRoundings) * area.value;
+    area.views = views_;
+    area.reached = area.bound <= std::max(goal_.absolute, goal_.relative * area.value);
+    area.bound += rounding;
+    return area;
+  }
+
+  const CurvedPatch& to_;
+  std::span<const CurvedBlocker* const> blockers_;
+  CurvedGoal goal_;
+  std::vector<PatchChart> charts_;
+  std::vector<Feature> features_;
+  std::vector<Cell> cells_;
+  int views_ = 0;
+};
+
+}  // namespace
+
+CurvedExchangeArea curved_exchange(const CurvedPatch& from, const CurvedPatch& to,
+                                   std::span<const CurvedBlocker* const> blockers, const CurvedGoal& goal) {
+  require(goal.relative >= 0 && goal.absolute >= 0, "curved_exchange: tolerances are not negative");
+  CurvedExchangeArea area = Integral(from, to, blockers, goal).find();
+  // Holds for the truth: moving the value there only brings it nearer.
+  area.value = std::min({area.value, area_of(from), area_of(to)});
+  return area;
+}
+
+}  // namespace etendue
