@@ -11,6 +11,7 @@
 
 #include "etendue/assembly/certified_exchange.hpp"
 #include "etendue/assembly/closure_repair.hpp"
+#include "etendue/assembly/curved_exchange.hpp"
 #include "etendue/assembly/drop.hpp"
 #include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/assembly/hemicube_exchange.hpp"
@@ -140,6 +141,13 @@ class Run {
     }();
     if (!model) return fail(model.error());
     model_ = std::move(model).value();
+    if (!model_.rounds.empty() && (request_.method == "certified" || request_.by_pixels())) {
+      return fail({ErrorCode::invalid_input,
+                   "found round surface '" + model_.rounds.front().name + "', expected flat ones: --method " +
+                       request_.method +
+                       (request_.by_pixels() ? " projects polygons onto its pixels" : " encloses polygons only") +
+                       "; exact and rays take spheres, discs and cylinders"});
+    }
     for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << note << '\n';
     method_ = made_method();
     if (!method_) {
@@ -162,6 +170,8 @@ class Run {
     const double share = share_of_parts(model_);
     asked.relative *= share;
     asked.absolute *= share;
+    if (request_.method == "exact" && !model_.rounds.empty())
+      return std::make_unique<CurvedExchange>(model_, AssemblyTolerance{asked, asked});
     if (request_.method == "exact")
       return std::make_unique<ExactExchange>(model_.mesh, AssemblyTolerance{asked, asked});
     if (request_.method == "certified") return std::make_unique<CertifiedExchange>(model_.mesh, asked);
@@ -176,7 +186,7 @@ class Run {
     Progress progress(err_, "rays", request_.common);
     auto rays = std::make_unique<RayExchange>(model_.mesh,
                                               RaySettings{request_.rays, static_cast<std::uint64_t>(request_.seed)},
-                                              execution(request_.common, progress));
+                                              execution(request_.common, progress), model_.rounds);
     return rays->complete() ? std::move(rays) : nullptr;
   }
 
@@ -209,7 +219,7 @@ class Run {
       Bounded found;
       method_->find({&elements, 1}, {&found, 1}, report.what);
       for (const std::size_t face : method_->blockers(elements)) {
-        const std::string& name = model_.face_names[face];
+        const std::string& name = model_.blocker_name(face);
         if (std::find(report.blockers.begin(), report.blockers.end(), name) == report.blockers.end()) {
           report.blockers.push_back(name);
         }
@@ -237,7 +247,7 @@ class Run {
   fs::path checkpoint_path() const { return request_.common.output.string() + ".checkpoint"; }
 
   Result<ExchangeMatrix> begun() const {
-    std::vector<double> areas = areas_of(model_.mesh);
+    std::vector<double> areas = areas_of(model_);
     if (request_.common.output.empty()) return ExchangeMatrix(std::move(areas));
     if (std::error_code absent; request_.resume && !fs::exists(checkpoint_path(), absent)) {
       err_ << "etendue form-factors: nothing to resume, beginning anew: there is no " << quoted_path(checkpoint_path())

@@ -56,7 +56,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 /// What the bounds of a method are worth.
-std::string bound_kind(const std::string& method, const TileReport& what) {
+std::string bound_kind(const std::string& method, const SurfaceModel& model, const TileReport& what) {
   if (method == "rays") return "holds with probability 1 − 1e-6 each";
   if (method == "hemicube" || method == "tetrahedron") {
     return what.obstructed == 0
@@ -65,6 +65,7 @@ std::string bound_kind(const std::string& method, const TileReport& what) {
                  "factor";
   }
   if (method == "certified") return "enclosed, rounding and all";
+  if (!model.rounds.empty()) return "an estimate where round or partly obstructed, elsewhere proved";
   return what.obstructed == 0 ? "proved" : "where partly obstructed an estimate, elsewhere proved";
 }
 
@@ -104,7 +105,7 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   if (!report.model.name.empty()) out << " '" << report.model.name << "'";
   out << "\nsurfaces     " << n;
   if (!closure.covered.empty()) out << ", " << closure.covered.size() << " of them see nothing";
-  const std::size_t parts = report.model.mesh.elements.size();
+  const std::size_t parts = report.model.elements();
   out << "\npairs        ";
   if (!report.model.plain()) out << "of their " << parts << " parts: ";
   out << listed(what) << "\nmethod       " << report.method;
@@ -120,7 +121,7 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   }
   out << "bound        " << rounded(closure.largest_bound) << " at most, from "
       << called(report.model, closure.loosest_from) << " to " << called(report.model, closure.loosest_to);
-  out << " (" << bound_kind(report.method, what) << ")\n";
+  out << " (" << bound_kind(report.method, report.model, what) << ")\n";
   for (const std::string& remark : report.remarks) out << "remark       " << remark << '\n';
   out << "time         " << rounded(report.seconds) << " s, "
       << rounded(static_cast<double>(report.matrix.layout().pairs()) / report.seconds) << " pairs/s\n";
@@ -160,11 +161,12 @@ void print_pair_report(std::ostream& out, const PairReport& report) {
       << "method       " << report.method << ": ";
   const TileReport& what = report.what;
   if (what.obstructed > 0) {
-    out << "partly obstructed by " << listed(report.blockers) << "; bound " << bound_kind(report.method, what) << '\n';
+    out << "partly obstructed by " << listed(report.blockers) << "; bound "
+        << bound_kind(report.method, report.model, what) << '\n';
   } else if (what.clear > 0) {
-    out << "nothing in between; bound " << bound_kind(report.method, what) << '\n';
+    out << "nothing in between; bound " << bound_kind(report.method, report.model, what) << '\n';
   } else if (what.sampled > 0) {
-    out << "rays counted; bound " << bound_kind(report.method, what) << '\n';
+    out << "rays counted; bound " << bound_kind(report.method, report.model, what) << '\n';
   } else if (what.blocked > 0) {
     out << "blocked altogether\n";
   } else {

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "etendue/acceleration/accelerator.hpp"
+#include "etendue/assembly/round_checks.hpp"
 #include "etendue/assembly/split_mix.hpp"
+#include "etendue/form_factor/patch_chart.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
@@ -49,18 +51,73 @@ Vec3 direction_from(const Vec3& normal, Stream& random) {
   return radius * std::cos(turn) * frame.u + radius * std::sin(turn) * frame.v + std::sqrt(1 - square) * normal;
 }
 
-/// What arrives where: the faces as a scene, and which elements lie in which face.
+struct Start {
+  Vec3 point, normal;
+};
+
+Start start_on(const Polygon& polygon, Stream& random) {
+  return {point_of(polygon, random), polygon.normal()};
+}
+
+Start start_on(const CurvedPatch& patch, Stream& random) {
+  if (const auto* polygon = std::get_if<Polygon>(&patch)) return start_on(*polygon, random);
+  const double share = random.unit(), turn = 2 * std::numbers::pi * random.unit();
+  const auto around = [turn](const Vec3& axis) -> Vec3 {
+    const TangentFrame frame = tangent_frame(axis);
+    return std::cos(turn) * frame.u + std::sin(turn) * frame.v;
+  };
+  if (const auto* sphere = std::get_if<Sphere>(&patch)) {  // heights are equally likely (Archimedes)
+    const double height = 2 * share - 1;
+    const Vec3 out =
+        (std::sqrt((1 - height) * (1 + height)) * around(Vec3::UnitZ()) + height * Vec3::UnitZ()).normalized();
+    return {sphere->centre + sphere->radius * out, out};
+  }
+  if (const auto* disc = std::get_if<Disc>(&patch)) {
+    return {disc->centre + std::sqrt(share) * disc->radius * around(disc->normal), disc->normal};
+  }
+  const auto& cylinder = std::get<Cylinder>(patch);
+  const Vec3 along = cylinder.top - cylinder.base, out = around(along.normalized()).normalized();
+  return {cylinder.base + share * along + cylinder.radius * out, out};
+}
+
+/// What arrives where: the faces and round surfaces as a scene, and which elements lie in which face.
 struct Target {
   const ElementMesh& mesh;
   Scene scene;
   std::unique_ptr<const Accelerator> accelerator;
   std::vector<std::vector<std::size_t>> elements_of;
 
-  explicit Target(const ElementMesh& elements) : mesh(elements), elements_of(elements.faces.size()) {
+  Target(const ElementMesh& elements, std::span<const RoundSurface> rounds)
+      : mesh(elements), elements_of(elements.faces.size()) {
     scene.materials.emplace_back();
     for (const Face& face : mesh.faces) scene.objects.push_back({"", face.polygon, 0, {}});
     for (std::size_t k = 0; k < mesh.elements.size(); ++k) elements_of[mesh.elements[k].face].push_back(k);
+    for (const RoundSurface& round : rounds) add(round.shape);
+    for (const RoundSurface& round : rounds) close(round.shape, rounds);
     accelerator = make_accelerator(scene, AcceleratorKind::bounding_volumes);
+  }
+
+  void add(const CurvedPatch& shape) {
+    elements_of.push_back({mesh.elements.size() + elements_of.size() - mesh.faces.size()});
+    if (const auto* sphere = std::get_if<Sphere>(&shape)) scene.objects.push_back({"", *sphere, 0, {}});
+    if (const auto* disc = std::get_if<Disc>(&shape)) scene.objects.push_back({"", *disc, 0, {}});
+    if (const auto* cylinder = std::get_if<Cylinder>(&shape)) scene.objects.push_back({"", *cylinder, 0, {}});
+  }
+
+  /// A cylinder counts as filled: an end that no disc closes stops what enters there.
+  void close(const CurvedPatch& shape, std::span<const RoundSurface> rounds) {
+    const auto* cylinder = std::get_if<Cylinder>(&shape);
+    if (cylinder == nullptr) return;
+    const Vec3 axis = (cylinder->top - cylinder->base).normalized();
+    for (const Vec3& end : {cylinder->base, cylinder->top}) {
+      bool closed = false;
+      for (const RoundSurface& other : rounds) {
+        const auto* disc = std::get_if<Disc>(&other.shape);
+        closed =
+            closed || (disc != nullptr && caps(*disc, *cylinder) && (disc->centre - end).norm() < cylinder->radius);
+      }
+      if (!closed) scene.objects.push_back({"", Disc{end, axis, cylinder->radius}, 0, {}});
+    }
   }
 
   /// Calls `arrive(element)` for each element whose front the ray meets first; several where subsurfaces lie in a face.
@@ -71,8 +128,13 @@ struct Target {
       ray.t_min = nearest->hit.t;
       nearest = accelerator->nearest(ray).hit;
     }
-    if (!nearest || mesh.faces[nearest->object].polygon.normal().dot(ray.direction) >= 0) return;
+    if (!nearest || nearest->object >= elements_of.size()) return;
     const auto& candidates = elements_of[nearest->object];
+    if (nearest->object >= mesh.faces.size()) {
+      if (nearest->hit.normal.dot(ray.direction) < 0) arrive(candidates.front());
+      return;
+    }
+    if (mesh.faces[nearest->object].polygon.normal().dot(ray.direction) >= 0) return;
     const int axis = dominant_axis(mesh.faces[nearest->object].polygon.normal());
     for (const std::size_t element : candidates) {
       // Elements of a whole undivided face are met as the face is; the rim is nobody's to lose.
@@ -106,18 +168,30 @@ double chance_bound(std::uint64_t count, std::uint64_t of, double doubt) {
   return std::max(end(0), end(1));
 }
 
-RayExchange::RayExchange(const ElementMesh& mesh, const RaySettings& settings, const Execution& execution)
-    : settings_(settings), areas_(areas_of(mesh)), arrivals_(mesh.elements.size()) {
-  const Target target(mesh);
-  complete_ = parallel_for(mesh.elements.size(), execution, [&](std::size_t i) {
-    const Polygon& polygon = mesh.elements[i].polygon;
+RayExchange::RayExchange(const ElementMesh& mesh, const RaySettings& settings, const Execution& execution,
+                         std::span<const RoundSurface> rounds)
+    : settings_(settings), areas_(areas_of(mesh)), arrivals_(mesh.elements.size() + rounds.size()) {
+  for (const RoundSurface& round : rounds) areas_.push_back(area_of(round.shape));
+  const Target target(mesh, rounds);
+  const std::size_t flat = mesh.elements.size();
+  double largest = 0;
+  for (const RoundSurface& round : rounds) {
+    const PatchBall ball = ball_around(round.shape);
+    largest = std::max(largest, ball.middle.cwiseAbs().maxCoeff() + ball.size);
+  }
+  const double nearest_meeting = kTouching * largest;
+  complete_ = parallel_for(arrivals_.size(), execution, [&](std::size_t i) {
+    const std::size_t face = i < flat ? mesh.elements[i].face : mesh.faces.size() + i - flat;
     std::map<std::size_t, std::uint64_t> counts;
     Stream random(settings.seed, i);
     for (int k = 0; k < settings.rays; ++k) {
       Ray ray;
-      ray.origin = point_of(polygon, random);
-      ray.direction = direction_from(polygon.normal(), random);
-      target.trace(ray, mesh.elements[i].face, [&](std::size_t element) { ++counts[element]; });
+      const Start start =
+          i < flat ? start_on(mesh.elements[i].polygon, random) : start_on(rounds[i - flat].shape, random);
+      ray.origin = start.point;
+      ray.direction = direction_from(start.normal, random);
+      ray.t_min = rounds.empty() ? 0 : nearest_meeting;  // the back of a disc that lies on another is no obstacle
+      target.trace(ray, face, [&](std::size_t element) { ++counts[element]; });
     }
     arrivals_[i].assign(counts.begin(), counts.end());
   });

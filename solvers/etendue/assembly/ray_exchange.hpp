@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "etendue/assembly/exchange_method.hpp"
+#include "etendue/assembly/surface_model.hpp"
 
 namespace etendue {
 
@@ -30,8 +31,9 @@ inline constexpr double kRayDoubt = 1e-6;
 /// Order     the same rays with any number of threads
 class RayExchange : public ExchangeMethod {
  public:
-  /// Sends all rays. `mesh` need not outlive it. When stopped it holds nothing: see complete().
-  RayExchange(const ElementMesh& mesh, const RaySettings& settings, const Execution& execution);
+  /// Sends all rays, from the elements of the mesh and then from `rounds`. Neither need outlive it. When stopped it holds nothing: see complete().
+  RayExchange(const ElementMesh& mesh, const RaySettings& settings, const Execution& execution,
+              std::span<const RoundSurface> rounds = {});
   void find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const override;
 
   bool complete() const { return complete_; }

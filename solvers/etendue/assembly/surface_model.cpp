@@ -5,8 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "etendue/assembly/round_checks.hpp"
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/patch_chart.hpp"
 
 namespace etendue {
 
@@ -18,7 +20,7 @@ Bounded sum_over_terms(const ComposedRow& r, const ComposedRow& s,
   double size = 0;
   for (const ComposedRow::Term& a : r.terms) {
     for (const ComposedRow::Term& b : s.terms) {
-      if (a.element == b.element) continue;  // flat: sees nothing of itself
+      if (a.element == b.element) continue;  // flat or round, it sees nothing of itself
       const Bounded exchange = between(a.element, b.element);
       sum.value += a.sign * b.sign * exchange.value;
       sum.bound += exchange.bound;
@@ -32,36 +34,37 @@ Bounded sum_over_terms(const ComposedRow& r, const ComposedRow& s,
   return sum;
 }
 
-/// What to call a shape that no method takes; nothing for the others.
-std::string unsuitable(const Shape& shape) {
-  if (std::holds_alternative<Sphere>(shape)) return "sphere";
-  if (std::holds_alternative<Cylinder>(shape)) return "cylinder";
-  if (std::holds_alternative<Disc>(shape)) return "disc";
-  return std::holds_alternative<Plane>(shape) ? "infinite plane" : "";
+std::optional<CurvedPatch> round_patch(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return *sphere;
+  if (const auto* disc = std::get_if<Disc>(&shape)) return *disc;
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return *cylinder;
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool SurfaceModel::plain() const {
-  if (!masks.empty() || rows.size() != mesh.elements.size()) return false;
+  if (!masks.empty() || rows.size() != elements()) return false;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (rows[k].terms.size() != 1 || rows[k].terms[0].element != k || rows[k].terms[0].sign != 1) return false;
   }
   return true;
 }
 
+double SurfaceModel::element_area(std::size_t element) const {
+  const std::size_t flat = mesh.elements.size();
+  return element < flat ? mesh.elements[element].polygon.area() : area_of(rounds[element - flat].shape);
+}
+
+std::vector<double> areas_of(const SurfaceModel& model) {
+  std::vector<double> areas;
+  areas.reserve(model.elements());
+  for (std::size_t k = 0; k < model.elements(); ++k) areas.push_back(model.element_area(k));
+  return areas;
+}
+
 Result<SurfaceModel> surface_model(const Scene& scene) {
-  std::string refused;
-  for (const Object& object : scene.objects) {
-    const std::string kind = unsuitable(object.shape);
-    if (!kind.empty()) refused += (refused.empty() ? "" : ", ") + kind + " '" + object.name + "'";
-  }
-  if (!refused.empty()) {
-    return Error{
-        ErrorCode::invalid_input,
-        "found " + refused + ", expected surfaces that are flat and bounded; approximate curved ones by meshes"};
-  }
-  auto mesh = mesh_elements(scene);
+  auto mesh = mesh_elements(scene, CurvedObjects::left_out);
   if (!mesh) return mesh.error();
   SurfaceModel model;
   model.name = scene.name;
@@ -70,12 +73,23 @@ Result<SurfaceModel> surface_model(const Scene& scene) {
   std::vector<std::size_t> of_object(scene.objects.size(), 0), counted(scene.objects.size(), 0);
   for (const Face& face : model.mesh.faces) model.face_names.push_back(scene.objects[face.object].name);
   for (const Element& element : model.mesh.elements) ++of_object[model.mesh.face_of(element).object];
-  for (std::size_t k = 0; k < model.mesh.elements.size(); ++k) {
-    const std::size_t object = model.mesh.face_of(model.mesh.elements[k]).object;
-    std::string name = scene.objects[object].name;
-    if (of_object[object] > 1) name += "[" + std::to_string(++counted[object]) + "]";
-    model.rows.push_back({std::move(name), {{k, 1}}, model.mesh.elements[k].polygon.area(), 1});
+  std::size_t next = 0;  // elements follow their objects
+  for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+    const std::string& name = scene.objects[object].name;
+    for (; next < model.mesh.elements.size() && model.mesh.face_of(model.mesh.elements[next]).object == object;
+         ++next) {
+      const std::string number = of_object[object] > 1 ? "[" + std::to_string(++counted[object]) + "]" : "";
+      model.rows.push_back({name + number, {{next, 1}}, model.mesh.elements[next].polygon.area(), 1});
+    }
+    if (const auto patch = round_patch(scene.objects[object].shape)) {
+      const std::size_t element = model.mesh.elements.size() + model.rounds.size();
+      model.rows.push_back({name, {{element, 1}}, area_of(*patch), 1});
+      model.rounds.push_back({*patch, name, object});
+    }
   }
+  if (model.rows.empty()) return Error{ErrorCode::invalid_input, "the scene has no surface"};
+  if (const auto apart = check_rounds(scene, model); !apart) return apart.error();
+  note_open_cylinders(model);
   return model;
 }
 
@@ -83,7 +97,7 @@ double share_of_parts(const SurfaceModel& model) {
   double least = 1;
   for (const ComposedRow& row : model.rows) {
     double terms = 0;
-    for (const ComposedRow::Term& term : row.terms) terms += model.mesh.elements[term.element].polygon.area();
+    for (const ComposedRow::Term& term : row.terms) terms += model.element_area(term.element);
     if (row.terms.size() > 1) least = std::min(least, row.area / terms);
   }
   // A base of which next to nothing is left would cost more than anything: its bound then says what it did not reach.
@@ -104,8 +118,7 @@ Bounded row_exchange(const SurfaceModel& model, std::size_t r, std::size_t s,
 }
 
 ExchangeMatrix composed(const SurfaceModel& model, const ExchangeMatrix& elements) {
-  require(elements.complete() && elements.size() == model.mesh.elements.size(),
-          "composed: all elements' pairs are there");
+  require(elements.complete() && elements.size() == model.elements(), "composed: all elements' pairs are there");
   std::vector<double> areas;
   for (const ComposedRow& row : model.rows) areas.push_back(row.area);
   ExchangeMatrix matrix(std::move(areas));

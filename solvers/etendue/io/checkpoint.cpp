@@ -43,6 +43,23 @@ std::uint64_t hash_of(const Polygon& polygon, std::uint64_t belongs_to) {
   return fingerprint.value();
 }
 
+std::uint64_t hash_of(const RoundSurface& round) {
+  Fingerprint fingerprint;
+  const auto add = [&fingerprint](const auto&... numbers) {
+    for (const double number : {numbers...}) fingerprint.add(bytes_of(&number, sizeof number));
+  };
+  const auto add_point = [&add](const Vec3& p) { add(p.x(), p.y(), p.z()); };
+  add(static_cast<double>(round.shape.index()));
+  if (const auto* sphere = std::get_if<Sphere>(&round.shape)) {
+    add_point(sphere->centre), add(sphere->radius);
+  } else if (const auto* disc = std::get_if<Disc>(&round.shape)) {
+    add_point(disc->centre), add_point(disc->normal), add(disc->radius);
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&round.shape)) {
+    add_point(cylinder->base), add_point(cylinder->top), add(cylinder->radius);
+  }
+  return fingerprint.value();
+}
+
 std::size_t page_up(std::size_t offset) {
   constexpr std::size_t kPage = 4096;
   return (offset + kPage - 1) / kPage * kPage;
@@ -152,6 +169,10 @@ CheckpointKey checkpoint_key(const SurfaceModel& model, const std::string& setti
   for (std::size_t k = 0; k < model.mesh.faces.size(); ++k) {
     key.hashes.push_back(hash_of(model.mesh.faces[k].polygon, k));
     key.names.push_back(model.face_names[k]);
+  }
+  for (const RoundSurface& round : model.rounds) {
+    key.hashes.push_back(hash_of(round));
+    key.names.push_back(round.name);
   }
   return key;
 }

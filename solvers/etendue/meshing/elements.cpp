@@ -21,6 +21,7 @@ struct Builder {
   const Object& object;
   std::size_t index;
   ElementMesh& mesh;
+  CurvedObjects curved_objects;
   std::optional<Error> error;
 
   void refuse(const std::string& what) {
@@ -110,6 +111,7 @@ struct Builder {
   }
 
   void curved(const char* kind) {
+    if (curved_objects == CurvedObjects::left_out) return;
     refuse(std::string("is a ") + kind +
            ": radiosity elements are flat; approximate it by a mesh, or leave it to etendue render");
   }
@@ -150,16 +152,17 @@ bool is_convex(const Polygon& polygon) {
   return true;  // a simple polygon that never turns right is convex
 }
 
-Result<ElementMesh> mesh_elements(const Scene& scene) {
+Result<ElementMesh> mesh_elements(const Scene& scene, CurvedObjects curved) {
   ElementMesh mesh;
   std::vector<std::string> errors;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-    Builder builder{scene.objects[k], k, mesh, std::nullopt};
+    Builder builder{scene.objects[k], k, mesh, curved, std::nullopt};
     std::visit([&builder](const auto& shape) { builder(shape); }, scene.objects[k].shape);
     if (builder.error) errors.push_back(builder.error->message);
   }
   if (!errors.empty()) return Error{ErrorCode::invalid_input, listed(errors)};
-  if (mesh.elements.empty()) return Error{ErrorCode::invalid_input, "the scene has no surface"};
+  if (mesh.elements.empty() && curved == CurvedObjects::refused)
+    return Error{ErrorCode::invalid_input, "the scene has no surface"};
   return mesh;
 }
 

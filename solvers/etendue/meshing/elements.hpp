@@ -45,6 +45,9 @@ inline constexpr double kStraightTurn = 0x1p-40;
 
 [[nodiscard]] bool is_convex(const Polygon& polygon);
 
+/// Whoever takes spheres, discs and cylinders whole asks for a mesh of the rest, which may be empty.
+enum class CurvedObjects { refused, left_out };
+
 /// Cuts the objects of a scene into elements and groups them into patches.
 ///
 ///     p(s, t) = (1−s)(1−t) v_0 + s(1−t) v_1 + s t v_2 + (1−s) t v_3,  s = a/elements[0],  t = b/elements[1]
@@ -52,9 +55,10 @@ inline constexpr double kStraightTurn = 0x1p-40;
 /// Domain    polygons, triangles, meshes (an element a triangle), boxes (six faces, seen from outside). Every object
 ///           takes part, whatever its reflectance: a black wall still closes the room
 /// Returns   faces, elements and patches; neighbouring elements of a face share their corners to the last bit
-/// Errors    spheres, discs, cylinders and infinite planes (elements are flat and bounded), concave polygons, a
+/// Errors    spheres, discs, cylinders (elements are flat; where `curved` says so they are left out instead), infinite
+///           planes, concave polygons, a
 ///           subdivision of what is no quadrilateral, patches that do not divide elements; one line for
 ///           each object that has one: its place in the file, its name, and what to use instead; and their count
-[[nodiscard]] Result<ElementMesh> mesh_elements(const Scene& scene);
+[[nodiscard]] Result<ElementMesh> mesh_elements(const Scene& scene, CurvedObjects curved = CurvedObjects::refused);
 
 }  // namespace etendue

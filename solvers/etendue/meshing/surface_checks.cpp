@@ -114,6 +114,7 @@ std::vector<Overlapping> overlapping(std::span<const Polygon> polygons, double s
 }
 
 Result<Done> check_overlaps(const Scene& scene, const ElementMesh& mesh) {
+  if (mesh.faces.empty()) return Done{};
   std::vector<Polygon> polygons;
   for (const Face& face : mesh.faces) polygons.push_back(face.polygon);
   std::string lines;
