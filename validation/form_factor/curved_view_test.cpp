@@ -46,7 +46,7 @@ struct Room {
           break;
         case 1:  // both sides of a plate
           add(Disc{cells[k], axis, size});
-          patches.emplace_back(Disc{cells[k], -axis, size});
+          add(Disc{cells[k], -axis, size});
           break;
         case 2: {
           const Vec3 half = share * size * axis;

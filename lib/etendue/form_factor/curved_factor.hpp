@@ -28,10 +28,9 @@ struct CurvedExchangeArea : Bounded {
 /// Symbols   F_dA1→2 the factor from an element to what it sees: visible_point_to_patch()
 /// Domain    as there. Flat sources have the smoothest integrand: the caller chooses which of the two is `from`
 /// Returns   0 ≤ value ≤ min(A_1, A_2) and a bound
-/// Accuracy  a sphere that lies wholly before a polygon, with nothing between: its solid angle, proved. Else cells
-///           of the source are quartered until the sum of the differences between Gauss rules of 3 and 5 nodes a side,
-///           regardless of sign, is below the goal; before that, until no cell is larger than twice its distance
-///           from the middle of anything round: measured, NOTES.md §13
+/// Accuracy  cells of the source are quartered until the sum of what rules of 5 and of 3 of their nodes differ by, row by row
+///           and regardless of sign, is below the goal; before that, until no cell is wider than twice its distance
+///           from the middle of anything round: an estimate, measured in NOTES.md §13
 [[nodiscard]] CurvedExchangeArea curved_exchange(const CurvedPatch& from, const CurvedPatch& to,
                                                  std::span<const CurvedBlocker* const> blockers,
                                                  const CurvedGoal& goal = {});
