@@ -102,7 +102,7 @@ TEST(ObstructedTable, KeepsItsBoundInEveryPair) {
 TEST(ObstructedTable, BoundsDoNotGrowWithWhatIsAsked) {
   proves({"IU.6-4"}, Oracle::metamorphic, "bounds at 1e-3 to 1e-11, pairs with one and three plates");
   constexpr double kStep = 2;
-  for (const auto& [family, index] : {std::pair{PairFamily::cornered, 242}, std::pair{PairFamily::standing, 281},
+  for (const auto& [family, index] : {std::pair{PairFamily::cornered, 242}, std::pair{PairFamily::cornered, 169},
                                       std::pair{PairFamily::on_an_edge, 157}}) {
     const Scene scene(oracle::obstructed_pair(family, index));
     double before = 1;
