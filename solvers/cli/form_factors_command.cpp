@@ -213,25 +213,23 @@ class Run {
                                             "', expected the name of a surface or a number in [1, " +
                                             std::to_string(names.size()) + "]" + did_you_mean(word, names));
     }
-    PairReport report{model_, *from, *to, {}, {}, {}, {}, request_.method, true};
+    PairReport report{model_, *from, *to, {}, {}, {}, {}, request_.method, true, {}};
     const Bounded exchange = row_exchange(model_, *from, *to, [&](std::size_t a, std::size_t b) {
       const SurfacePair elements{std::min(a, b), std::max(a, b)};
       Bounded found;
       method_->find({&elements, 1}, {&found, 1}, report.what);
-      for (const std::size_t face : method_->blockers(elements)) {
-        const std::string& name = model_.blocker_name(face);
-        if (std::find(report.blockers.begin(), report.blockers.end(), name) == report.blockers.end()) {
-          report.blockers.push_back(name);
-        }
-      }
+      const auto add_new = [](std::vector<std::string>& names, const std::string& name) {
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      };
+      for (const std::size_t face : method_->blockers(elements)) add_new(report.blockers, model_.blocker_name(face));
+      add_new(report.manners, method_->manner(elements));
       return found;
     });
-    const double area_from = model_.rows[*from].area, area_to = model_.rows[*to].area;
-    ExchangeMatrix two({area_from, area_to});
+    ExchangeMatrix two({model_.rows[*from].area, model_.rows[*to].area});
     two.set(0, 1, exchange);
     report.forth = two.factor(0, 1);
     report.back = two.factor(1, 0);
-    report.reached = reached(exchange, area_from, area_to, request_.tolerance);
+    report.reached = reached(exchange, two.areas()[0], two.areas()[1], request_.tolerance);
     if (request_.common.json) {
       out_ << pair_report_json(report);
     } else if (!request_.common.quiet) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "form_factors_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "etendue/core/interval.hpp"
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
 
@@ -69,6 +71,12 @@ std::string bound_kind(const std::string& method, const SurfaceModel& model, con
   return what.obstructed == 0 ? "proved" : "where partly obstructed an estimate, elsewhere proved";
 }
 
+/// The two numbers that a proved bound leaves, within [0, 1].
+Interval enclosure(const Bounded& factor) {
+  const Interval both = Interval(factor.value) + Interval(-factor.bound, factor.bound);
+  return {std::clamp(both.lower, 0.0, 1.0), std::clamp(both.upper, 0.0, 1.0)};
+}
+
 /// "12 averted, 3 clear …": what there is of each kind.
 std::string listed(const TileReport& what) {
   std::string text;
@@ -112,6 +120,12 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   if (report.tolerance.relative < 1) {
     out << ", asked for " << rounded(report.tolerance.relative) << " relative or " << rounded(report.tolerance.absolute)
         << " absolute";
+  }
+  out << "\nclamps       ";
+  if (what.clamped == 0) {
+    out << "none";
+  } else {
+    out << what.clamped << " pairs were held at 0, at the unobstructed factor, or at min(1, A_j/A_i)";
   }
   out << '\n' << "closure      " << closedness(report) << '\n';
   if (n > closure.covered.size()) {
@@ -157,8 +171,15 @@ void print_pair_report(std::ostream& out, const PairReport& report) {
   out << "from         " << called(model, report.from) << ", area " << exact(model.rows[report.from].area) << '\n'
       << "to           " << called(model, report.to) << ", area " << exact(model.rows[report.to].area) << '\n'
       << "factor       " << exact(report.forth.value) << " ± " << rounded(report.forth.bound) << '\n'
-      << "back         " << exact(report.back.value) << " ± " << rounded(report.back.bound) << '\n'
-      << "method       " << report.method << ": ";
+      << "back         " << exact(report.back.value) << " ± " << rounded(report.back.bound) << '\n';
+  if (!report.manners.empty()) {
+    const Interval forth = enclosure(report.forth), back = enclosure(report.back);
+    out << "enclosure    [" << exact(forth.lower) << ", " << exact(forth.upper) << "], back [" << exact(back.lower)
+        << ", " << exact(back.upper) << "]\nfound by     ";
+    for (std::size_t k = 0; k < report.manners.size(); ++k) out << (k > 0 ? ", " : "") << report.manners[k];
+    out << '\n';
+  }
+  out << "method       " << report.method << ": ";
   const TileReport& what = report.what;
   if (what.obstructed > 0) {
     out << "partly obstructed by " << listed(report.blockers) << "; bound "
@@ -178,7 +199,7 @@ void print_pair_report(std::ostream& out, const PairReport& report) {
         << ", difference " << rounded(what.defect) << " of the larger area's exchange\n";
   }
   out << "clamps       "
-      << (what.clamped > 0 ? "the value was held at the unobstructed factor, or at min(1, A_j/A_i)\n" : "none\n");
+      << (what.clamped > 0 ? "the value was held at 0, at the unobstructed factor, or at min(1, A_j/A_i)\n" : "none\n");
 }
 
 std::string pair_report_json(const PairReport& report) {
@@ -194,6 +215,12 @@ std::string pair_report_json(const PairReport& report) {
   json["back"] = report.back.value;
   json["back_bound"] = report.back.bound;
   json["method"] = report.method;
+  if (!report.manners.empty()) {
+    const Interval forth = enclosure(report.forth), back = enclosure(report.back);
+    json["enclosure"] = {forth.lower, forth.upper};
+    json["back_enclosure"] = {back.lower, back.upper};
+    json["found_by"] = report.manners;
+  }
   json["pairs"] = kinds(report.what);
   json["blockers"] = report.blockers;
   json["tolerance_reached"] = report.reached;

@@ -36,6 +36,7 @@ struct PairReport {
   std::vector<std::string> blockers;
   std::string method;
   bool reached = true;
+  std::vector<std::string> manners;  ///< how the elements' pairs were found, where the method tells
 };
 
 void print_pair_report(std::ostream& out, const PairReport& report);

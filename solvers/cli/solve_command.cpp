@@ -39,6 +39,8 @@ struct Request {
   double exposure =
       0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
   int samples = 3;
+  bool certify = false;
+  double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
 
 /// The file's name with another ending.
@@ -102,14 +104,14 @@ Result<Done> write_pictures(SolveReport& report, const Request& request, std::os
 }
 
 /// Refuses a mesh whose matrix this machine cannot hold, before it is begun.
-Result<Done> check_memory(const ElementMesh& mesh) {
+Result<Done> check_memory(const ElementMesh& mesh, double bytes_a_pair) {
   const auto available = available_memory();
   const auto n = static_cast<double>(mesh.elements.size());
-  if (!available || n * n * kBytesAPair <= *available) return Done{};
+  if (!available || n * n * bytes_a_pair <= *available) return Done{};
   const auto gigabytes = [](double bytes) { return rounded(bytes / 1e9, 3) + " GB"; };
   return Error{ErrorCode::input_output,
-               std::to_string(mesh.elements.size()) + " elements need " + gigabytes(n * n * kBytesAPair) +
-                   " of memory (" + shortest(kBytesAPair) + " bytes for each of n² pairs), " + gigabytes(*available) +
+               std::to_string(mesh.elements.size()) + " elements need " + gigabytes(n * n * bytes_a_pair) +
+                   " of memory (" + shortest(bytes_a_pair) + " bytes for each of n² pairs), " + gigabytes(*available) +
                    " are available: divide the surfaces into fewer elements (\"elements\" of the objects)"};
 }
 
@@ -119,6 +121,11 @@ void declare(Options& options, Request& request) {
                  request.solver);
   options.real("--tolerance", "T", "relative error asked of form factors past obstructions (default: 1e-6)",
                request.tolerance, 1e-12, 0.1);
+  options.flag("--certify", "find intervals that hold every exact radiosity, by enclosures of all form factors; slow",
+               request.certify);
+  options.real("--certify-tolerance", "T",
+               "relative half width asked of enclosures past obstructions (default: 0.02), work allowing",
+               request.certified, 1e-9, 1);
   options.real("--exposure", "F",
                "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
                request.exposure, kLeastExposure, kMostExposure);
@@ -128,16 +135,43 @@ void declare(Options& options, Request& request) {
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
+      "With --certify NAME.json also holds two numbers for each element and channel between which its exact radiosity\n"
+      "lies: proved, whatever the rounding. Where the form factors are known too loosely for that the exit code is 4.\n"
       "Where form factors are less certain than --tolerance asks, everything is saved and the exit code is 4. After\n"
       "Ctrl-C what is done, rows of the form-factor matrix or channels, is saved as NAME.incomplete.json, once all is\n"
       "solved as NAME.json, and the exit code is 6.");
   options.example("etendue solve scenes/furnace/scene.json --output furnace.png");
+  options.example("etendue solve scenes/furnace/scene.json --certify --output furnace-certified.png");
   options.example("etendue solve scenes/furnace/scene.json --solver eigen --json --output furnace-eigen.png");
 }
 
 /// All files that this run may write.
 std::vector<fs::path> outputs(const Request& request) {
   return {named(request, ".exr"), named(request, ".png"), named(request, ".json"), named(request, ".incomplete.json")};
+}
+
+/// Adds the enclosures, or why there are none.
+void certify(SolveReport& report, const Request& request, std::ostream& err) {
+  const CertifiedGoals goals = certified_goals(request.certified, report.mesh.elements.size());
+  {
+    Progress progress(err, "enclosures", request.common);
+    report.certified = certified_factors(report.mesh, goals, execution(request.common, progress));
+  }
+  if (!report.certified->complete) {
+    report.not_certified = "stopped before all form factors were enclosed";
+    return;
+  }
+  Progress progress(err, "enclosed elimination", request.common);
+  auto enclosed =
+      solve_certified(report.file.scene, report.mesh, *report.certified,
+                      request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination,
+                      execution(request.common, progress));
+  if (enclosed) {
+    report.enclosure = std::move(enclosed).value();
+  } else {
+    report.not_certified = enclosed.error().message;
+    if (enclosed.error().code == ErrorCode::stopped) report.certified->complete = false;
+  }
 }
 
 /// Everything up to the radiosities; when stopped, the report has no solution.
@@ -160,7 +194,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   if (!mesh) return mesh.error();
   report.mesh = std::move(mesh).value();
   if (const auto apart = check_overlaps(report.file.scene, report.mesh); !apart) return apart.error();
-  if (const auto room = check_memory(report.mesh); !room) {
+  if (const auto room = check_memory(report.mesh, request.certify ? kCertifiedBytesAPair : kBytesAPair); !room) {
     return Error{room.error().code, request.scene.string() + ": " + room.error().message};
   }
   {
@@ -176,6 +210,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
                             execution(request.common, progress));
   if (!solution) return solution.error();
   report.solution = std::move(solution).value();
+  if (request.certify && is_solved(report)) certify(report, request, err);
   return report;
 }
 
@@ -185,6 +220,11 @@ int stopped(std::ostream& err, const std::string& what) {
 
 /// What to end with, all being saved: 4 where the form factors are less certain than was asked, and why.
 int judged(const SolveReport& report, std::ostream& err) {
+  if (report.certified && !report.certified->complete) return stopped(err, "all but the enclosures was saved");
+  if (!report.not_certified.empty()) {
+    return fail(err, kName,
+                {ErrorCode::not_converged, "not certified: " + report.not_certified + "; all else was saved"});
+  }
   if (report.matrix.missed.pairs == 0) return 0;
   return fail(err, kName, {ErrorCode::not_converged, missed_tolerance_text(report) + "; all was saved"});
 }

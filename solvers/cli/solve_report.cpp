@@ -95,6 +95,42 @@ Json channel_summary(const ChannelRadiosity& channel) {
           {"balance_defect_watts", channel.balance.defect}};
 }
 
+Json certified_json(const SolveReport& report) {
+  const CertifiedFactors& factors = *report.certified;
+  Json json{{"status", report.enclosure ? "enclosed" : factors.complete ? "not enclosed" : "stopped"}};
+  if (!report.not_certified.empty()) json["reason"] = report.not_certified;
+  if (!factors.complete) return json;
+  json["pairs"] = {{"averted", factors.pairs.averted},
+                   {"clear", factors.pairs.clear},
+                   {"obstructed", factors.pairs.obstructed},
+                   {"wider_than_asked", factors.wide}};
+  json["widest_form_factor"] = {{"width", factors.widest}, {"elements", {factors.from, factors.to}}};
+  for (std::size_t c = 0; report.enclosure && c < 3; ++c) {
+    json["channels"][kChannels[c]] = {{"widest_interval", report.enclosure->widest[c]},
+                                      {"element", report.enclosure->worst[c]}};
+  }
+  return json;
+}
+
+void print_certified(std::ostream& out, const SolveReport& report) {
+  if (!report.certified) return;
+  const CertifiedFactors& factors = *report.certified;
+  if (!report.enclosure) {
+    out << "certified    no: " << report.not_certified << '\n';
+    return;
+  }
+  out << "certified    " << factors.pairs.clear << " clear, " << factors.pairs.obstructed << " obstructed, "
+      << factors.pairs.averted << " averted pairs enclosed, " << factors.wide
+      << " of them wider than asked; the widest form factor is known to " << rounded(factors.widest) << '\n'
+      << "intervals    hold the exact radiosities; widest ";
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t worst = report.enclosure->worst[c];
+    out << (c > 0 ? ", " : "") << rounded(report.enclosure->widest[c]) << " (" << kChannels[c] << ", element " << worst
+        << ", " << printable(object_name(report, worst)) << ')';
+  }
+  out << " W/m²\n";
+}
+
 /// What the scene and the settings determine: nothing that differs between two runs.
 Json summary(const SolveReport& report) {
   const FormFactorMatrix& matrix = report.matrix;
@@ -125,6 +161,7 @@ Json summary(const SolveReport& report) {
   for (std::size_t c = 0; c < report.solution->solved; ++c) {
     json["channels"][kChannels[c]] = channel_summary(report.solution->channels[c]);
   }
+  if (report.certified) json["certified"] = certified_json(report);
   if (!is_solved(report)) return json;
   json["vertices"] = {{"distinct", report.vertices.vertices},
                       {"clamped", report.vertices.clamped},
@@ -148,6 +185,13 @@ Json element_json(const SolveReport& report, std::size_t k) {
   if (report.solution) {
     json["radiosity"] = triple(report.solution->radiosity[k]);
     for (std::size_t c = report.solution->solved; c < 3; ++c) json["radiosity"][c] = nullptr;
+    if (report.enclosure) {
+      json["radiosity_interval"] = Json::array();
+      for (Eigen::Index channel = 0; channel < 3; ++channel) {
+        json["radiosity_interval"].push_back(
+            {report.enclosure->lower[k](channel), report.enclosure->upper[k](channel)});
+      }
+    }
     json["row_sum"] = report.closure.row_sums(static_cast<Eigen::Index>(k));
   } else {
     json["row_done"] = static_cast<bool>(report.matrix.row_done[k]);
@@ -264,6 +308,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
     out << "stopped      " << report.solution->solved << " of 3 channels are solved\n" << report.json.string() << '\n';
     return;
   }
+  print_certified(out, report);
   out << "vertices     " << report.vertices.vertices << "; " << report.vertices.clamped
       << " negative extrapolations set to 0\n"
       << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n"

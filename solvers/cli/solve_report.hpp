@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "etendue/assembly/certified_radiosity.hpp"
 #include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/io/scene_reader.hpp"
@@ -22,7 +23,10 @@ struct SolveReport {
   ElementMesh mesh;
   FormFactorMatrix matrix;
   ClosureReport closure;
-  std::optional<SceneRadiosity> solution;  ///< nothing when stopped before; of some channels when stopped on the way
+  std::optional<SceneRadiosity> solution;     ///< nothing when stopped before; of some channels when stopped on the way
+  std::optional<CertifiedFactors> certified;  ///< asked for by --certify
+  std::optional<CertifiedRadiosity> enclosure;
+  std::string not_certified;  ///< why there is none although it was asked for
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;
@@ -41,7 +45,8 @@ void print_summary(std::ostream& out, const SolveReport& report);
 /// The summary as a machine reads it: one JSON object, numbers to the last bit.
 [[nodiscard]] std::string summary_json(const SolveReport& report);
 
-/// Summary and every element: object, patch, centroid, area, normal, emission, radiosity, row sum. When stopped
+/// Summary and every element: object, patch, centroid, area, normal, emission, radiosity, row sum; with --certify
+/// "radiosity_interval": of each channel the two numbers between which the exact radiosity lies. When stopped
 /// (NAME.incomplete.json), the radiosities of the channels that are solved, and "rows": of each row i that is done the
 /// form factors F_ij and their bounds for j = i + 1 … n − 1; F_ji = A_i F_ij / A_j. Numbers are written so that they
 /// read as the same double. Equal results are equal bytes: no times, no paths.

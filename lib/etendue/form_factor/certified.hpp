@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -16,11 +17,20 @@ struct CertifiedGoal {
   std::int64_t work = 200'000;   ///< most evaluations of a point's or an edge's share, of about a microsecond each
 };
 
+/// What narrowed an enclosure last.
+enum class EnclosedBy {
+  integration,   ///< nothing is in the way: contour or area integral
+  event_lines,   ///< the source cut along the lines where shadows change their form
+  shadow_hulls,  ///< umbra and penumbra of parts of a surface
+};
+
 /// A form factor between two numbers.
 struct CertifiedFactor {
   Interval factor;        ///< holds the factor; within [0, 1]
   bool reached = false;   ///< the goal was met
   std::int64_t work = 0;  ///< evaluations spent
+  EnclosedBy by = EnclosedBy::integration;
+  std::size_t blockers = 0;  ///< convex ones that could not be shown to stay out of the way
 };
 
 /// An interval that holds the unobstructed form factor F_12: every step is rounded outward, every remainder bounded.
@@ -46,14 +56,15 @@ struct CertifiedFactor {
 ///     F_12 = 1/A_1  ∫_A1 ∫_A2  H_12 cos a_1 cos a_2 / (π r²)  dA_2 dA_1                      @eq IU.6-4
 ///
 /// Symbols   as above; H_12 one where the two points see one another, else zero
-/// Domain    at most 31 blockers in the way, convex, two-sided, apart from the two, touching, piercing or overlapping one
-///           another. Those behind from's or to's plane, or in it, hide nothing, `from` and `to` themselves included
+/// Domain    any number of two-sided blockers, convex or concave, apart from the two, touching, piercing or overlapping
+///           one another. Those behind from's or to's plane, or in it, hide nothing, `from` and `to` themselves included
 /// Means     the exact numbers, as above. Of a blocker whose corners rounding moved off its plane: from each point its
 ///           outline as seen from there, beyond its plane. One in from's or to's plane but for rounding that overlaps
 ///           it may hide all or nothing; the enclosure then holds both
-/// Returns   the enclosure; its width falls fast past one blocker, slower where shadows of several overlap
-/// Accuracy  inclusion proved but for what NOTES.md §11 says is counted; widths measured there
-/// Errors    ContractViolation as above, where a blocker is not convex, and where more than 31 are in the way
+/// Returns   the enclosure: by shadow hulls, which always give one, and where a few blockers are in the way also by event
+///           lines, whose width falls faster. At worst from 0 to the unobstructed factor
+/// Accuracy  inclusion proved: NOTES.md §11, §14; widths measured there
+/// Errors    ContractViolation as above
 [[nodiscard]] CertifiedFactor certified_form_factor(const Polygon& from, const Polygon& to,
                                                     std::span<const Polygon> blockers, const CertifiedGoal& goal = {});
 

@@ -43,6 +43,7 @@ struct EnclosedPair {
   EnclosedOutline from, to;  ///< empty where nothing is seen
   Interval area;             ///< of the whole of from
   double scale = 1;
+  bool flat = false;  ///< the corners of `to` lie exactly in one plane
 };
 [[nodiscard]] EnclosedPair enclosed_pair(const Polygon& from, const Polygon& to);
 

@@ -20,41 +20,6 @@ constexpr std::size_t kMostSets = 128;
 /// Up to this share of the goal a shadow counts as none.
 constexpr double kNothing = 0.01;
 
-EnclosedOutline reversed(EnclosedOutline outline) {
-  std::reverse(outline.begin(), outline.end());
-  return outline;
-}
-
-Interval3 doubled_area_of(const EnclosedOutline& v) {
-  Interval3 sum;
-  for (std::size_t i = 1; i + 1 < v.size(); ++i) sum = sum + cross(v[i] - v[0], v[i + 1] - v[0]);
-  return sum;
-}
-
-/// A convex receiver whole, any other as the signed triangles of a fan.
-std::vector<ReceiverPart> receiver_parts(const EnclosedOutline& outline) {
-  const Interval3 normal = doubled_area_of(outline);
-  const std::size_t n = outline.size();
-  bool convex = true;
-  for (std::size_t i = 0; i < n && convex; ++i) {
-    const Interval3 edge = outline[(i + 1) % n] - outline[i];
-    for (std::size_t k = 2; k < n; ++k) {
-      // Straight corners are convex but for rounding; what that could do is far below what a fan would cost.
-      convex = convex && dot(normal, cross(edge, outline[(i + k) % n] - outline[i])).lower > 0;
-    }
-  }
-  if (convex || n == 3) return {{outline, 1}};
-  std::vector<ReceiverPart> parts;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    EnclosedOutline triangle{outline[0], outline[i], outline[i + 1]};
-    const Interval turn = dot(normal, doubled_area_of(triangle));
-    const bool positive = turn.middle() >= 0;
-    parts.push_back({positive ? triangle : reversed(triangle), positive ? 1.0 : -1.0});
-    if (turn.contains(0.0)) parts.back().uncertain = norm(doubled_area_of(triangle)).upper;
-  }
-  return parts;
-}
-
 /// Larger sets out of those that hide something together, each made once: by adding a blocker beyond its last.
 std::vector<Mask> larger(const std::vector<Mask>& sets, const std::vector<Mask>& single) {
   std::vector<Mask> next;
@@ -68,7 +33,7 @@ std::vector<Mask> larger(const std::vector<Mask>& sets, const std::vector<Mask>&
 
 /// Inclusion and exclusion, level by level: after an odd number of levels the sum is not below what all hide, after an
 /// even number not above (Bonferroni), so the sums also serve where the sets grow too many.
-HiddenFlux united_shadows(const Interval3& corner, const SourceTriangle& source, const ReceiverPart& part,
+HiddenFlux united_shadows(const Interval3& corner, const SourceTriangle& source, const SignedPart& part,
                           const std::vector<EnclosedBlocker>& blockers, double goal, std::int64_t budget) {
   std::vector<Mask> single;
   for (std::size_t k = 0; k < blockers.size(); ++k) single.push_back(Mask{1} << k);
@@ -92,6 +57,7 @@ HiddenFlux united_shadows(const Interval3& corner, const SourceTriangle& source,
       const HiddenFlux one = common_shadow(corner, source, part, together, share / static_cast<double>(level.size()),
                                            std::max<std::int64_t>(1, allowed));
       result.work += one.work;
+      result.enclosed = result.enclosed && one.enclosed;
       added = added + one.flux;
       if (together.size() == 1) least = std::max(least, one.flux.lower);
       // What hides next to nothing hides no more together with others: all sets with it count as that much, or none.
@@ -123,7 +89,7 @@ HiddenFlux hidden_flux(const EnclosedPair& pair, const std::vector<std::vector<V
                        std::int64_t budget) {
   std::vector<EnclosedBlocker> planes;
   for (const auto& b : blockers) planes.push_back({b, ExactPlane(b)});
-  const std::vector<ReceiverPart> parts = receiver_parts(pair.to);
+  const std::vector<SignedPart> parts = pair.flat ? signed_parts(pair.to) : signed_triangles(pair.to);
   const auto pieces = static_cast<double>((pair.from.size() - 2) * parts.size());
   const auto share = std::max<std::int64_t>(1, static_cast<std::int64_t>(static_cast<double>(budget) / pieces));
   HiddenFlux total;
@@ -140,11 +106,12 @@ HiddenFlux hidden_flux(const EnclosedPair& pair, const std::vector<std::vector<V
     }
     const double area = turn.contains(0.0) ? norm(source.normal).upper : 0;
     total.flux = total.flux + Interval(-area, area);
-    for (const ReceiverPart& part : parts) {
+    for (const SignedPart& part : parts) {
       const HiddenFlux one = united_shadows(pair.from[0], source, part, planes, goal / pieces, share);
       total.flux = sign * part.sign > 0 ? total.flux + one.flux : total.flux - one.flux;
       total.flux = total.flux + Interval(-part.uncertain, part.uncertain);
       total.work += one.work;
+      total.enclosed = total.enclosed && one.enclosed;
     }
   }
   return total;

@@ -12,6 +12,7 @@ namespace etendue {
 struct HiddenFlux {
   Interval flux;          ///< A_1 (F_free − F) [scaled length²]
   std::int64_t work = 0;  ///< evaluations of one arc from one point
+  bool enclosed = true;   ///< false: outlines touch but for rounding, and `flux` is that of such as do exactly
 };
 
 /// Encloses the part of the flux from pair.from to pair.to that convex, two-sided blockers keep away.
@@ -21,9 +22,9 @@ struct HiddenFlux {
 /// The source is cut into cells in which the shadows' outlines on the receiver keep their corners, along the lines
 /// where they change; there the integrand is analytic. A cell where that cannot be shown counts from nothing to all.
 ///
-/// Domain    blockers scaled as the pair is, convex
+/// Domain    blockers scaled as the pair is, convex and flat, such as triangles
 /// Returns   the enclosure; half its width is about `goal` unless `budget` was spent before
-/// Accuracy  inclusion proved: NOTES.md §11
+/// Accuracy  inclusion proved where `enclosed`: NOTES.md §11
 /// Errors    none
 /// Source    Heckbert 1992 and Drettakis and Fiume 1994 for the critical lines
 [[nodiscard]] HiddenFlux hidden_flux(const EnclosedPair& pair, const std::vector<std::vector<Vec3>>& blockers,

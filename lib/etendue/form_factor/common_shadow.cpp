@@ -26,16 +26,15 @@ EnclosedOutline reversed(EnclosedOutline outline) {
 
 class CommonShadow {
  public:
-  CommonShadow(const Interval3& corner, const SourceTriangle& source, const ReceiverPart& receiver,
+  CommonShadow(const Interval3& corner, const SourceTriangle& source, const SignedPart& receiver,
                const std::vector<const EnclosedBlocker*>& blockers, double goal, std::int64_t budget)
       : corner_(corner), source_(source), receiver_(receiver), blockers_(blockers), goal_(goal), budget_(budget) {
     for (const EnclosedBlocker* b : blockers) {
       const Interval3& n = b->plane.normal();
       sides_.push_back({b->plane.height(corner), dot(n, source.along), dot(n, source.across)});
     }
-    diameter_ = (norm(source.along) + norm(source.across)).upper;
     area_ = norm(source.normal).upper;  // doubled
-    all_ = std::make_unique<ShadowTerm>(source, std::vector<EnclosedOutline>{relative(receiver.outline)}, diameter_);
+    all_ = std::make_unique<ShadowTerm>(source, std::vector<EnclosedOutline>{relative(receiver.outline)});
   }
 
   HiddenFlux enclose() {
@@ -49,10 +48,13 @@ class CommonShadow {
     }
     Interval flux = certain_ + Interval(-slack_, slack_);
     for (const Cell& cell : heap_) flux = flux + cell.flux;
+    bool enclosed = true;
     for (const auto& [side, term] : terms_) {
-      if (term) flux = flux + Interval(-term->slack(), term->slack());
+      if (!term) continue;
+      flux = flux + Interval(-term->slack(), term->slack());
+      enclosed = enclosed && !term->touching();
     }
-    return {{std::max(0.0, flux.lower), std::max(0.0, flux.upper)}, work_};
+    return {{std::max(0.0, flux.lower), std::max(0.0, flux.upper)}, work_, enclosed};
   }
 
  private:
@@ -94,7 +96,7 @@ class CommonShadow {
     auto& slot = terms_[in_front];
     if (rest.empty()) return nullptr;
     loops.front() = relative(rest);
-    slot = std::make_unique<ShadowTerm>(source_, std::move(loops), diameter_);
+    slot = std::make_unique<ShadowTerm>(source_, std::move(loops));
     return slot.get();
   }
 
@@ -324,12 +326,12 @@ class CommonShadow {
   static constexpr double kLeastShare = 0x1p-16;
   const Interval3& corner_;
   const SourceTriangle& source_;
-  const ReceiverPart& receiver_;
+  const SignedPart& receiver_;
   const std::vector<const EnclosedBlocker*>& blockers_;
   double goal_;
   std::int64_t budget_;
   std::vector<Affine> sides_;
-  double diameter_ = 0, area_ = 0;
+  double area_ = 0;
   std::unique_ptr<ShadowTerm> all_;
   std::map<Mask, std::unique_ptr<ShadowTerm>> terms_;
   std::vector<Cell> heap_;
@@ -340,7 +342,7 @@ class CommonShadow {
 
 }  // namespace
 
-HiddenFlux common_shadow(const Interval3& corner, const SourceTriangle& source, const ReceiverPart& receiver,
+HiddenFlux common_shadow(const Interval3& corner, const SourceTriangle& source, const SignedPart& receiver,
                          const std::vector<const EnclosedBlocker*>& blockers, double goal, std::int64_t budget) {
   return CommonShadow(corner, source, receiver, blockers, goal, budget).enclose();
 }

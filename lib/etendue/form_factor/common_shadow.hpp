@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "etendue/form_factor/certified_parts.hpp"
 #include "etendue/form_factor/certified_shadows.hpp"
 #include "etendue/form_factor/shadow_term.hpp"
 
@@ -14,13 +15,6 @@ struct EnclosedBlocker {
   ExactPlane plane;
 };
 
-/// A convex part of the receiver, with the sign that its triangle has in the fan of a concave one.
-struct ReceiverPart {
-  EnclosedOutline outline;
-  double sign = 1;
-  double uncertain = 0;  ///< bounds its area where the sign is not certain
-};
-
 /// Encloses the flux from one triangle of the source, which starts at `corner`, to one convex part of the receiver that
 /// every one of `blockers` keeps away.
 ///
@@ -28,8 +22,7 @@ struct ReceiverPart {
 /// Accuracy  inclusion proved: NOTES.md §11
 /// Errors    none
 [[nodiscard]] HiddenFlux common_shadow(const Interval3& corner, const SourceTriangle& source,
-                                       const ReceiverPart& receiver,
-                                       const std::vector<const EnclosedBlocker*>& blockers, double goal,
-                                       std::int64_t budget);
+                                       const SignedPart& receiver, const std::vector<const EnclosedBlocker*>& blockers,
+                                       double goal, std::int64_t budget);
 
 }  // namespace etendue

@@ -15,10 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Beyond zero by this share of a function's terms counts as zero: what cutting a cell along it leaves by rounding.
 constexpr double kWeak = 0x1p-47;
-/// A corner this near to a line, in units of the scene's size, counts as on it, at a price.
+/// A corner this near to a line, in units of the scene's size, counts as on it.
 constexpr double kTouching = 0x1p-44;
-/// Price of that in the flux, per distance and diameter of the source (NOTES.md §11).
-constexpr double kTouchingPrice = 64;
 
 bool same(const Interval3& a, const Interval3& b) {
   const auto equal = [](const Interval& p, const Interval& q) { return p.lower == q.lower && p.upper == q.upper; };
@@ -92,8 +90,7 @@ std::vector<Interval3> tidied(std::vector<Interval3> loop, double& swept) {
 
 }  // namespace
 
-ShadowTerm::ShadowTerm(const SourceTriangle& source, std::vector<std::vector<Interval3>> loops, double diameter)
-    : source_(source) {
+ShadowTerm::ShadowTerm(const SourceTriangle& source, std::vector<std::vector<Interval3>> loops) : source_(source) {
   for (std::size_t l = 0; l < loops.size(); ++l) {
     loops[l] = tidied(std::move(loops[l]), slack_);
     const std::size_t first = vertices_.size(), n = loops[l].size();
@@ -116,7 +113,7 @@ ShadowTerm::ShadowTerm(const SourceTriangle& source, std::vector<std::vector<Int
       const double off = std::min((norm(normal) / norm(d - c)).upper, norm(way).upper);
       if (off <= kTouching) {
         on_line_[e * vertices_.size() + q] = true;
-        slack_ = above(slack_ + above(above(kTouchingPrice * off) * diameter));
+        touching_ = touching_ || off > 0;
       }
     }
   }

@@ -48,7 +48,7 @@ struct SourceTriangle {
 /// source each runs counter-clockwise and is convex.
 class ShadowTerm {
  public:
-  ShadowTerm(const SourceTriangle& source, std::vector<std::vector<Interval3>> loops, double diameter);
+  ShadowTerm(const SourceTriangle& source, std::vector<std::vector<Interval3>> loops);
 
   /// The part's boundary from everywhere in a cell: pieces of the loops' edges, each between two crossings.
   struct Arc {
@@ -77,8 +77,11 @@ class ShadowTerm {
   enum class Variable { r, s };
   double largest(const std::vector<Arc>& arcs, const SourceCell& cell, Variable variable, double rho) const;
 
-  /// Bound on what treating touching edges as touching exactly does to the flux.
+  /// Bound on what leaving out corners next to others does to the flux: the area swept.
   double slack() const { return slack_; }
+  /// Does some corner lie on another outline's edge but for rounding, not exactly? All here then is as if it did, which is
+  /// no enclosure.
+  bool touching() const { return touching_; }
 
  private:
   struct Edge {
@@ -110,6 +113,7 @@ class ShadowTerm {
   std::vector<Affine> heights_;
   std::vector<bool> on_line_;
   double slack_ = 0;
+  bool touching_ = false;
 };
 
 }  // namespace etendue

@@ -115,7 +115,9 @@ void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> 
       case Sight::undecided: {
         ++report.obstructed;
         const Bounded free = exchange(found.free, area);
+        const std::uint64_t before = report.clamped;
         exchanges[k] = held(exchange(found.factor, area), free.value < whole.value ? free : whole, report);
+        if (found.clamped && report.clamped == before) ++report.clamped;
         break;
       }
     }

@@ -25,6 +25,10 @@ std::vector<std::size_t> ExchangeMethod::blockers(const SurfacePair&) const {
   return {};
 }
 
+std::string ExchangeMethod::manner(const SurfacePair&) const {
+  return {};
+}
+
 bool reached(const Bounded& exchange, double area_i, double area_j, const Tolerance& tolerance) {
   return exchange.bound <=
          std::max(tolerance.absolute * std::min(area_i, area_j), tolerance.relative * std::abs(exchange.value));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "etendue/assembly/exchange_matrix.hpp"
@@ -27,6 +28,9 @@ class ExchangeMethod {
 
   /// The faces that may stand between two surfaces; empty where the method does not ask.
   virtual std::vector<std::size_t> blockers(const SurfacePair& pair) const;
+
+  /// How the answer for a pair is found, in a few words; empty where all pairs are alike.
+  virtual std::string manner(const SurfacePair& pair) const;
 };
 
 /// Is the bound of an exchange area within the tolerance, for the factor from either side?

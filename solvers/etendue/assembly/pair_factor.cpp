@@ -40,31 +40,36 @@ std::vector<Polygon> quartered(const std::vector<Polygon>& polygons) {
 struct Side {
   Bounded factor, free;
   bool curved = false;
+  bool clamped = false;
 };
 
 Side seen_from(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
                const AssemblyTolerance& tolerance) {
   if (blockers.empty()) {
     const Bounded free = form_factor(from, to, tolerance.free);
-    return {free, free, false};
+    return {free, free, false, false};
   }
   const ObstructedFormFactor found = obstructed_form_factor(from, to, blockers, tolerance.obstructed);
-  return {found, found.free, found.curved};
+  return {found, found.free, found.curved, found.clamp != Clamp::none};
 }
 
 // The mean over the parts of the source, weighted by area.
-Bounded mean_factor(const std::vector<Polygon>& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
-                    const AssemblyTolerance& tolerance) {
+Side mean_factor(const std::vector<Polygon>& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
+                 const AssemblyTolerance& tolerance) {
   double area = 0;
   Bounded sum;
+  bool clamped = false;
   for (const Polygon& part : from) {
-    const Bounded one = seen_from(part, to, blockers, tolerance).factor;
+    const Side side = seen_from(part, to, blockers, tolerance);
+    const Bounded& one = side.factor;
+    clamped = clamped || side.clamped;
     area += part.area();
     sum.value += part.area() * one.value;
     sum.bound += part.area() * one.bound;
   }
   // Areas, products, sums and the division: no more than four roundings a part.
-  return {sum.value / area, (sum.bound + gamma_bound(4 * static_cast<int>(from.size())) * sum.value) / area};
+  const double rounding = gamma_bound(4 * static_cast<int>(from.size())) * sum.value;
+  return {{sum.value / area, (sum.bound + rounding) / area}, {}, false, clamped};
 }
 
 struct Comparison {
@@ -86,6 +91,7 @@ PairFactor checked(const ElementPair& pair, const Side& there, const AssemblyTol
   const Side back = seen_from(pair.second, pair.first, pair.blockers, tolerance);
   Comparison result = compared(there.factor, back.factor, ratio, tolerance.obstructed);
   result.pair.free = there.free;
+  result.pair.clamped = there.clamped || back.clamped;
   if (pair.blockers.empty()) return result.pair;
   // Of parts half the error is asked: their sum may err by the relative and by the absolute share.
   AssemblyTolerance of_parts = tolerance;
@@ -94,8 +100,10 @@ PairFactor checked(const ElementPair& pair, const Side& there, const AssemblyTol
   for (int k = 1; k <= kMostQuarterings && !result.settled; ++k) {
     first = quartered(first);
     second = quartered(second);
-    result = compared(mean_factor(first, pair.second, pair.blockers, of_parts),
-                      mean_factor(second, pair.first, pair.blockers, of_parts), ratio, tolerance.obstructed);
+    const Side parts_there = mean_factor(first, pair.second, pair.blockers, of_parts);
+    const Side parts_back = mean_factor(second, pair.first, pair.blockers, of_parts);
+    result = compared(parts_there.factor, parts_back.factor, ratio, tolerance.obstructed);
+    result.pair.clamped = parts_there.clamped || parts_back.clamped;
     result.pair.quarterings = k;
     result.pair.free = there.free;
   }
@@ -122,6 +130,7 @@ PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& to
   PairFactor result;
   result.factor = there.factor;
   result.free = there.free;
+  result.clamped = there.clamped;
   return result;
 }
 

@@ -34,6 +34,7 @@ struct ElementPair {
 struct PairFactor {
   Bounded factor;         ///< F_12, and a bound on |F_12 − exact|; F_21 is A_1 F_12 / A_2
   Bounded free;           ///< F_12 without the blockers
+  bool clamped = false;   ///< was a side held at 0 or at the free factor (ObstructedFormFactor::clamp)?
   bool checked = false;   ///< computed from both sides?
   bool agree = true;      ///< do the two differ by no more than their bounds?
   int quarterings = 0;    ///< after how many they did
