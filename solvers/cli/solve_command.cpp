@@ -43,9 +43,12 @@ struct Request {
   double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
 
-/// The file's name with another ending.
+/// The file's name with another ending; never that of the scene itself, where no name is asked for.
 fs::path named(const Request& request, const char* ending) {
-  return output_stem(request.common.output, request.scene).string() + ending;
+  std::string stem = output_stem(request.common.output, request.scene).string();
+  std::error_code absent;  // what does not exist is not the scene
+  if (request.common.output.empty() && fs::equivalent(stem + ".json", request.scene, absent)) stem += "-radiosity";
+  return stem + ending;
 }
 
 /// What radiosity leaves out of this scene, one line each.
@@ -131,7 +134,8 @@ void declare(Options& options, Request& request) {
                request.exposure, kLeastExposure, kMostExposure);
   options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
   add_common(options, request.common,
-             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder)");
+             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
+             "NAME-radiosity where NAME.json is the scene)");
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"

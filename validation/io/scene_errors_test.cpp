@@ -244,6 +244,21 @@ TEST(SceneErrors, AreNotHiddenByATypeThatIsNone) {
   EXPECT_TRUE(all_agree(found == expected ? 0 : 1, expected.size()));
 }
 
+// CLAIM      That no object is there is said beside the other errors; not where an included file may hold some.
+// ORACLE     exact: one error planted, two, or none but the missing file.
+// TOLERANCE  none.
+TEST(SceneErrors, SayThatObjectsAreMissingBesideOthers) {
+  proves({}, Oracle::exact, "errors planted");
+  const TemporaryFolder folder;
+  const std::string start = R"({"format": "etendue-scene", "version": 1, "unit": "m")";
+  const std::string none = message_of(folder.add("none.json", start + "}"));
+  EXPECT_TRUE(holds(none.find("found no object in the scene") != std::string::npos)) << none;
+  EXPECT_TRUE(holds(none.find("found no key \"camera\"") != std::string::npos)) << none;
+  const std::string absent = message_of(folder.add("absent.json", start + R"(, "include": ["nowhere.json"]})"));
+  EXPECT_TRUE(holds(absent.find("nowhere.json") != std::string::npos)) << absent;
+  EXPECT_TRUE(holds(absent.find("found no object") == std::string::npos)) << absent;
+}
+
 // CLAIM      A file that is no JSON is refused at the place where it stops being JSON, however it fails.
 // ORACLE     exact: the place is known from how the text was made.
 // TOLERANCE  none.

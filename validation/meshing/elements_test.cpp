@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "etendue/meshing/surface_checks.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
 
@@ -125,6 +128,24 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
   }
   EXPECT_TRUE(mesh_elements(scene_of({triangle})).ok());
   EXPECT_FALSE(mesh_elements(Scene{}).ok());
+}
+
+// CLAIM      A pile of surfaces is reported by no more than a few lines a surface, with the number of all overlapping pairs.
+// ORACLE     closed form: n (n − 1)/2 pairs; of k below it a surface names three and counts k − 3.
+// TOLERANCE  none: counts.
+TEST(Overlaps, OfAPileAreCounted) {
+  proves({}, Oracle::closed_form, "pairs in a pile");
+  constexpr std::size_t kPile = 60;
+  Scene scene = scene_of(std::vector<Shape>(kPile, quadrilateral({0, 0, 1}, {6, 0, 1}, {6, 4, 1}, {0, 4, 1})));
+  const auto mesh = mesh_elements(scene);
+  ASSERT_TRUE(mesh.ok());
+  const auto checked = check_overlaps(scene, *mesh);
+  ASSERT_FALSE(checked.ok());
+  const std::string text = checked.error().message;
+  EXPECT_TRUE(near(static_cast<double>(std::count(text.begin(), text.end(), '\n')), 1 + 2 + 4 * (kPile - 3), 0))
+      << text;
+  EXPECT_TRUE(holds(text.find(" overlaps 56 objects more\n") != std::string::npos)) << text;
+  EXPECT_TRUE(holds(text.find("\n1770 errors") != std::string::npos)) << text;
 }
 
 }  // namespace

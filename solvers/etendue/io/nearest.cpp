@@ -19,6 +19,9 @@ bool same(char a, char b) {
 
 /// A word from a file may be a megabyte long; nothing that long is a misspelt key.
 constexpr std::size_t kLongestWord = 64;
+/// Names by the thousand are written by programs, which do not misspell; looking through all of them for each of as many
+/// errors would take minutes.
+constexpr std::size_t kMostCandidates = 1000;
 
 }  // namespace
 
@@ -40,12 +43,13 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
 }
 
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  if (word.empty() || word.size() > kLongestWord) return std::nullopt;
+  if (word.empty() || word.size() > kLongestWord || candidates.size() > kMostCandidates) return std::nullopt;
   std::optional<std::string> best;
   std::size_t best_distance = 0;
   for (const auto& candidate : candidates) {
-    const std::size_t distance = edit_distance(word, candidate);
     const std::size_t allowed = std::max<std::size_t>(1, candidate.size() / 3);
+    if (word.size() > candidate.size() + allowed || candidate.size() > word.size() + allowed) continue;
+    const std::size_t distance = edit_distance(word, candidate);
     if (distance > allowed || distance >= candidate.size()) continue;
     if (best && distance >= best_distance) continue;
     best = candidate;

@@ -76,7 +76,9 @@ class Assembly {
         file.metres_per_unit == main_unit ? Placement{} : uniform_scale(file.metres_per_unit / main_unit);
     if (const auto lights = top.member("lights")) read_lights(*lights, placement);
     if (const auto objects = top.member("objects")) read_objects(*objects, placement, "");
-    if (is_main && scene_.objects.empty() && !top.member("objects") && files_.complete && errors_.count() == 0) {
+    // Included files may hold objects, and errors may be why none was read from them.
+    const bool all_read = !top.member("include") || (files_.complete && errors_.count() == 0);
+    if (is_main && scene_.objects.empty() && !top.member("objects") && all_read) {
       top.complain("found no object in the scene, expected \"objects\" here or in an included file");
     }
   }

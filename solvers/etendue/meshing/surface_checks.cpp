@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -117,16 +118,25 @@ Result<Done> check_overlaps(const Scene& scene, const ElementMesh& mesh) {
   if (mesh.faces.empty()) return Done{};
   std::vector<Polygon> polygons;
   for (const Face& face : mesh.faces) polygons.push_back(face.polygon);
+  constexpr std::size_t kMostNamed = 3;  // of all that one object overlaps: a pile of n has n² / 2 pairs
   std::string lines;
   std::set<std::pair<std::size_t, std::size_t>> reported;  // pairs of objects, not of their faces
+  std::map<std::size_t, std::size_t> partners;
   for (const Overlapping& pair : overlapping(polygons, kTouching * diagonal(mesh))) {
     const std::size_t first = mesh.faces[pair.first].object, second = mesh.faces[pair.second].object;
     if (!reported.emplace(first, second).second) continue;
+    if (++partners[second] > kMostNamed) continue;
     const Object& object = scene.objects[second];
     lines += (object.place.empty() ? "" : object.place + ": ") + "object '" + printable(object.name) + "' " +
              described(pair.how) + " object '" + printable(scene.objects[first].name) + "'\n";
   }
   if (reported.empty()) return Done{};
+  for (const auto& [second, count] : partners) {
+    if (count <= kMostNamed) continue;
+    const Object& object = scene.objects[second];
+    lines += (object.place.empty() ? "" : object.place + ": ") + "object '" + printable(object.name) + "' overlaps " +
+             counted(count - kMostNamed, "object") + " more\n";
+  }
   return Error{ErrorCode::invalid_input, lines + counted_errors(reported.size())};
 }
 
