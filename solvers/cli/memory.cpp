@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "etendue/text/number_text.hpp"
+
 namespace etendue::cli {
 
 namespace {
@@ -51,6 +53,14 @@ std::optional<double> available_memory() {
     if (one && (!least || *one < *least)) least = one;
   }
   return least;
+}
+
+Result<Done> check_memory(const MemoryNeed& need) {
+  const auto available = available_memory();
+  if (!available || need.bytes <= *available) return Done{};
+  const auto gigabytes = [](double bytes) { return rounded(bytes / 1e9, 3) + " GB"; };
+  return Error{ErrorCode::input_output, need.subject + " " + gigabytes(need.bytes) + " of memory (" + need.reason +
+                                            "), " + gigabytes(*available) + " are available: " + need.advice};
 }
 
 }  // namespace etendue::cli

@@ -18,6 +18,7 @@
 #include "etendue/raytracing/render.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "memory.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
@@ -34,6 +35,9 @@ constexpr const char* kName = "render";
 constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
 constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
 constexpr int kMostColumns = 1 << 14;
+constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
+/// At most at once: the picture, its copy for the PNG, which is exposed, and the bytes of the PNG.
+constexpr double kBytesAPixel = 2 * sizeof(Rgb) + 3;
 
 struct Request {
   CommonOptions common;
@@ -45,7 +49,8 @@ struct Request {
   int columns = 0;                   ///< 0: as the scene says
 };
 
-/// What identifies the picture; nothing that may differ between runs, so that equal pictures are equal files.
+/// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
+/// has the time of writing (capDate), which OpenImageIO adds.
 ImageMetadata metadata(const Request& request, const SceneFile& file, const Rendering& rendering) {
   const auto done = std::count(rendering.row_done.begin(), rendering.row_done.end(), char{1});
   const std::string rows = std::to_string(done) + " of " + std::to_string(rendering.row_done.size());
@@ -110,8 +115,8 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
       << " by cutoff; together at most " << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
       << "brightness  " << rounded(bright.largest) << " at most";
   if (bright.overflow > 0) {
-    out << "; " << bright.overflow << " pixels are cut off in the PNG (--exposure "
-        << rounded(request.exposure / bright.largest) << " would show them)";
+    out << "; " << counted(bright.overflow, "pixel") << (bright.overflow == 1 ? " is" : " are")
+        << " cut off in the PNG (--exposure " << rounded(request.exposure / bright.largest) << " would show them)";
   }
   out << "\ntime        " << rounded(seconds) << " s\n" << written.exr.string() << '\n' << written.png.string() << '\n';
 }
@@ -143,12 +148,25 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
   out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
-/// The scene with a picture of so many columns; rows in proportion, at least one.
-Scene resized(Scene scene, int columns) {
-  const double rows = static_cast<double>(columns) * scene.camera.rows / scene.camera.columns;
-  scene.camera.columns = columns;
-  scene.camera.rows = std::max(1, static_cast<int>(std::lround(rows)));
-  return scene;
+/// Gives the picture so many columns, and rows in proportion, at least one; or says why that cannot be.
+std::optional<std::string> resize(Camera& camera, int columns) {
+  const double rows = std::max(1.0, std::round(static_cast<double>(columns) * camera.rows / camera.columns));
+  if (columns * rows > kMostPixels) {
+    return "option '--columns': found '" + std::to_string(columns) +
+           "', expected at most 2^28 pixels in all; in the scene's proportions these are " + std::to_string(columns) +
+           " × " + shortest(rows);
+  }
+  camera.columns = columns;
+  camera.rows = static_cast<int>(rows);  // at most 2^28
+  return std::nullopt;
+}
+
+/// Refuses a picture that this machine cannot hold, before it is begun.
+Result<Done> check_room(const Camera& camera) {
+  return check_memory(
+      {static_cast<double>(camera.columns) * camera.rows * kBytesAPixel,
+       "a picture of " + std::to_string(camera.columns) + " × " + std::to_string(camera.rows) + " pixels needs",
+       shortest(kBytesAPixel) + " bytes a pixel", "make it smaller (--columns)"});
 }
 
 /// What --ray-tree does not go with, if asked for.
@@ -236,7 +254,14 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
     if (const auto fit = check_image_path(picture); !fit) return fail(err, kName, fit.error());
   }
   if (const auto free = check_outputs(outputs(request), file.files); !free) return fail(err, kName, free.error());
-  if (request.columns > 0) file.scene = resized(std::move(file.scene), request.columns);
+  if (request.columns > 0) {
+    if (const auto complaint = resize(file.scene.camera, request.columns)) return options.usage_error(err, *complaint);
+  }
+  if (!request.pixel) {
+    if (const auto room = check_room(file.scene.camera); !room) {
+      return fail(err, kName, {room.error().code, request.scene.string() + ": " + room.error().message});
+    }
+  }
   const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
   const auto accelerator = make_accelerator(file.scene, kind);
   if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);

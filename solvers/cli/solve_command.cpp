@@ -11,6 +11,7 @@
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/image_file.hpp"
+#include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/surface_checks.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
@@ -66,7 +67,8 @@ std::vector<std::string> left_out(const Scene& scene) {
   return lines;
 }
 
-/// What identifies the picture; nothing that may differ between runs, so that equal pictures are equal files.
+/// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
+/// has the time of writing (capDate), which OpenImageIO adds.
 ImageMetadata metadata(const SolveReport& report, int samples) {
   return {{"etendue:version", version()},
           {"etendue:method", "radiosity, full matrix, Gouraud"},
@@ -106,16 +108,15 @@ Result<Done> write_pictures(SolveReport& report, const Request& request, std::os
   return write_files({*exr, *png});
 }
 
-/// Refuses a mesh whose matrix this machine cannot hold, before it is begun.
-Result<Done> check_memory(const ElementMesh& mesh, double bytes_a_pair) {
-  const auto available = available_memory();
-  const auto n = static_cast<double>(mesh.elements.size());
-  if (!available || n * n * bytes_a_pair <= *available) return Done{};
-  const auto gigabytes = [](double bytes) { return rounded(bytes / 1e9, 3) + " GB"; };
-  return Error{ErrorCode::input_output,
-               std::to_string(mesh.elements.size()) + " elements need " + gigabytes(n * n * bytes_a_pair) +
-                   " of memory (" + shortest(bytes_a_pair) + " bytes for each of n² pairs), " + gigabytes(*available) +
-                   " are available: divide the surfaces into fewer elements (\"elements\" of the objects)"};
+/// Refuses elements whose matrix this machine cannot hold, before it is begun.
+Result<Done> check_room(const Request& request, std::size_t elements) {
+  const double bytes_a_pair = request.certify ? kCertifiedBytesAPair : kBytesAPair;
+  const auto n = static_cast<double>(elements);
+  const auto room = check_memory({n * n * bytes_a_pair, std::to_string(elements) + " elements need",
+                                  shortest(bytes_a_pair) + " bytes for each of n² pairs",
+                                  "divide the surfaces into fewer elements (\"elements\" of the objects)"});
+  if (!room) return Error{room.error().code, request.scene.string() + ": " + room.error().message};
+  return Done{};
 }
 
 void declare(Options& options, Request& request) {
@@ -194,13 +195,13 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   report.scene_path = request.scene;
   report.solver = request.solver;
   report.tolerance.obstructed = {request.tolerance, request.tolerance * kAbsoluteShare};
+  if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
   auto mesh = mesh_elements(report.file.scene);
   if (!mesh) return mesh.error();
   report.mesh = std::move(mesh).value();
   if (const auto apart = check_overlaps(report.file.scene, report.mesh); !apart) return apart.error();
-  if (const auto room = check_memory(report.mesh, request.certify ? kCertifiedBytesAPair : kBytesAPair); !room) {
-    return Error{room.error().code, request.scene.string() + ": " + room.error().message};
-  }
+  // Again: the mesh itself has taken of the memory.
+  if (const auto room = check_room(request, report.mesh.elements.size()); !room) return room.error();
   {
     Progress progress(err, "form factors", request.common);
     report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));

@@ -241,7 +241,8 @@ void print_closure(std::ostream& out, const SolveReport& report) {
         << " elements lie inside or under other surfaces and see no front\n";
   }
   if (closure.facing_void > 0) {
-    out << "void         " << closure.facing_void << " elements see no front and face the void\n";
+    out << "void         " << counted(closure.facing_void, "element")
+        << (closure.facing_void == 1 ? " sees no front and faces the void\n" : " see no front and face the void\n");
   }
 }
 
@@ -280,8 +281,8 @@ std::string full_json(const SolveReport& report) {
 void print_summary(std::ostream& out, const SolveReport& report) {
   const FormFactorMatrix& matrix = report.matrix;
   out << "scene        " << scene_line(report.file) << '\n'
-      << "mesh         " << report.mesh.elements.size() << " elements in " << report.mesh.patches << " patches on "
-      << report.mesh.faces.size() << " faces\n"
+      << "mesh         " << counted(report.mesh.elements.size(), "element") << " in " << report.mesh.patches
+      << (report.mesh.patches == 1 ? " patch on " : " patches on ") << counted(report.mesh.faces.size(), "face") << "\n"
       << "pairs        " << matrix.pairs.clear << " clear, " << matrix.pairs.obstructed << " obstructed, "
       << matrix.pairs.blocked << " blocked, " << matrix.pairs.averted << " averted\n"
       << "reciprocity  " << rounded(matrix.reciprocity.defect) << " at most over " << matrix.reciprocity.pairs

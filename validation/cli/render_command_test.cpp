@@ -100,5 +100,26 @@ TEST(RenderCommand, WritesBothPicturesAndAReport) {
   EXPECT_EQ(fact("etendue:rows"), "20 of 20");
 }
 
+// CLAIM      --columns does not lead past the 2^28 pixels that a scene may ask for: exit code 2, nothing is written.
+// ORACLE     exact: exit code and message for a picture of one column and 65,536 rows, made 16,384 columns wide.
+// TOLERANCE  none.
+TEST(RenderCommand, RefusesColumnsThatMakeTooManyPixels) {
+  proves({}, Oracle::exact, "exit code and message");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("tall.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
+ "camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 1, "resolution": [1, 65536]},
+ "materials": {"grey": {"k_d": 0.5}},
+ "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})");
+  const Ended ended =
+      run_etendue({"render", scene.string(), "--columns", "16384", "--output", (folder.path() / "a.png").string()});
+  EXPECT_TRUE(holds(ended.code == 2)) << ended.code << ended.err;
+  // 65,536 · 16,384 = 2^30 rows.
+  const std::string words =
+      "option '--columns': found '16384', expected at most 2^28 pixels in all; in the scene's proportions these are "
+      "16384 × 1073741824\n";
+  EXPECT_TRUE(holds(ended.err.find(words) != std::string::npos)) << ended.err;
+  EXPECT_EQ(folder.contents(), "tall.json");
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -27,6 +27,7 @@ const std::vector<Planted>& planted_errors() {
       {R"("unit": "cm")", R"("unit": "cms")", 8, "/unit",
        R"(found "cms", expected one of "m", "cm", "mm", "um", "km", "ft" or "in"; did you mean 'cm'?)"},
       {R"("unit": "cm",)", R"()", 0, "", R"(found no key "unit", expected one: it is mandatory here)"},
+      {R"("scene.schema.json")", R"(5)", 0, "/$schema", "found 5, expected a text in quotes"},
       {R"("version": 1)", R"("version": 2)", 11, "/version", "found 2, expected 1"},
       {R"("version": 1)", R"("version": "1")", 11, "/version", R"(found "1", expected 1)"},
       {R"("etendue-scene")", R"("gltf")", 0, "/format", R"(found "gltf", expected "etendue-scene")"},

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/surface_checks.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
@@ -92,6 +93,25 @@ TEST(Elements, TurnTheFacesOfABoxOutward) {
   ASSERT_TRUE(triangles.ok());
   EXPECT_EQ(triangles->elements.size(), 4u);
   EXPECT_EQ(triangles->faces.size(), 4u);
+}
+
+// CLAIM      The elements of a scene can be counted without making them.
+// ORACLE     closed form: 6 × 4 of a quadrilateral, 6 · 3 · 2 of a box, 1 of a triangle and of a pentagon, 4 of a
+//            tetrahedron; as many are made.
+// TOLERANCE  none: counts.
+TEST(Elements, AreCountedBeforeTheyAreMade) {
+  proves({}, Oracle::closed_form, "products of divisions");
+  const Mesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const Box box{{0, 0, 0}, Mat3::Identity(), {1, 1, 1}};
+  Scene scene = scene_of({quadrilateral({0, 0, 1}, {6, 0, 1}, {6, 4, 1}, {0, 4, 1}), box,
+                          Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                          polygon({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}}), tetrahedron});
+  scene.objects[0].subdivision = {{6, 4}, {3, 2}};
+  scene.objects[1].subdivision = {{3, 2}, {1, 1}};
+  EXPECT_TRUE(near(static_cast<double>(count_elements(scene)), 24 + 36 + 1 + 1 + 4, 0));
+  const auto mesh = mesh_elements(scene);
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_TRUE(near(static_cast<double>(mesh->elements.size()), 24 + 36 + 1 + 1 + 4, 0));
 }
 
 // CLAIM      What cannot be divided is refused; the message names the object and says what to use.

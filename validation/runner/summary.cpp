@@ -110,9 +110,9 @@ Summary summarize(const Register& all, std::vector<TestRun> tests, bool full) {
 }
 
 std::string headline(const Summary& summary) {
-  return std::to_string(summary.verified) + " claims verified, " + std::to_string(summary.refuted) +
-         " refuted with the mended form verified, " + std::to_string(summary.open) + " open; " +
-         std::to_string(summary.proved) + " errata proved";
+  return std::to_string(summary.verified) + (summary.verified == 1 ? " claim verified, " : " claims verified, ") +
+         std::to_string(summary.refuted) + " refuted with the mended form verified, " + std::to_string(summary.open) +
+         " open; " + std::to_string(summary.proved) + (summary.proved == 1 ? " erratum proved" : " errata proved");
 }
 
 std::string stop_notice(const Summary& summary) {

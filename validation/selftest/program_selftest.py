@@ -42,7 +42,7 @@ demand("--list shows what is proved", ["--list"], 0, "Evidence.RefusesNanNegativ
 with tempfile.TemporaryDirectory() as folder:
     json_path, junit_path = os.path.join(folder, "a.json"), os.path.join(folder, "a.xml")
     demand("one test runs alone", ["--filter", "Evidence.*", "--json", json_path, "--junit", junit_path], 0,
-           "1 tests passed, 0 failed")
+           "1 test passed, 0 failed")
     claims = json.load(open(json_path, encoding="utf-8"))["claims"]
     suites = xml.etree.ElementTree.parse(junit_path).getroot()
     if len(claims) < 130 or suites.get("tests") != "1":

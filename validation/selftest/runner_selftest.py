@@ -33,7 +33,7 @@ def demand_run(what, options, code, *texts):
 
 
 out = demand_run("good tests pass", ["--filter", "Good.*"], 0, "T.1", "closed form", "0.100", "3 tests passed, 0 failed",
-                 "1 claims verified, 1 refuted with the mended form verified, 1 open; 1 errata proved")
+                 "1 claim verified, 1 refuted with the mended form verified, 1 open; 1 erratum proved")
 lines = {line.split()[0]: line for line in out.splitlines() if line.strip()}
 demand("a yes-or-no claim shows as exact", "exact" in lines["T.2"] and "refuted as printed: E1" in lines["T.2"], out)
 demand("verified rows whose tests were not chosen are counted, not listed", "T.3" not in lines

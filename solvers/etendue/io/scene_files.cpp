@@ -78,6 +78,7 @@ class Loader {
  private:
   bool read_outline(const SceneNode& top, const fs::path& path, LoadedFile& file) {
     if (!top.is(keys_of("scene"))) return false;
+    if (const auto schema = top.member("$schema")) (void)schema->text();
     if (const auto format = top.member("format")) (void)format->choice({"etendue-scene"});  // reported there
     if (const auto version = top.member("version")) (void)version->integer(1, 1);
     if (const auto node = top.member("unit")) {
