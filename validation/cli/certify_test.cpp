@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/furnace_text.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
@@ -16,16 +17,6 @@ Ended certify(const std::filesystem::path& scene, const TemporaryFolder& folder,
   more.insert(more.begin(),
               {"solve", scene.string(), "--certify", "--quiet", "--output", (folder.path() / "out.png").string()});
   return run_etendue(more);
-}
-
-std::string furnace_text() {
-  return read_text(source_root() / "scenes" / "furnace" / "scene.json");
-}
-
-std::string replaced(std::string text, const std::string& original, const std::string& instead) {
-  const std::size_t at = text.find(original);
-  require(at != std::string::npos, "replaced: the scene holds what is to be replaced");
-  return text.replace(at, original.size(), instead);
 }
 
 // CLAIM      IU.6-9, IU.6-3: of a closed furnace every interval of `etendue solve --certify` holds E/(1 − ρ), the program's own

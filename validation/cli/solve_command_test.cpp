@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "cli/furnace_text.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
@@ -10,16 +11,6 @@ namespace etendue::validation {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string furnace_text() {
-  return read_text(source_root() / "scenes" / "furnace" / "scene.json");
-}
-
-std::string replaced(std::string text, const std::string& original, const std::string& instead) {
-  const std::size_t at = text.find(original);
-  require(at != std::string::npos, "replaced: the scene holds what is to be replaced");
-  return text.replace(at, original.size(), instead);
-}
 
 // The furnace with further objects before its own.
 std::string furnace_with(const std::string& objects) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "etendue/form_factor/certified.hpp"
 #include "etendue/form_factor/hull_flux.hpp"
 #include "etendue/form_factor/obstructed.hpp"
+#include "form_factor/obstructed_rows.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/obstructed_pairs.hpp"
 #include "oracles/parallel_plates.hpp"
@@ -247,37 +246,6 @@ TEST(CertifiedObstruction, TakesAnyNumberOfBlockers) {
   const auto none = certified_form_factor(from, to, all, {{0, 0.1 * free}, 200'000});
   EXPECT_TRUE(holds(none.factor.lower == 0));
   EXPECT_TRUE(within(0.5 * none.factor.upper, 0.1 * free));
-}
-
-struct TableRow {
-  oracle::PairFamily family;
-  int index;
-  double exchange, uncertainty;
-};
-
-std::vector<TableRow> table_rows() {
-  std::ifstream file(ETENDUE_REFERENCE "/obstructed_pairs.csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<TableRow> rows;
-  while (std::getline(file, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream fields(line);
-    std::string family;
-    TableRow row{};
-    fields >> family >> row.index >> row.exchange >> row.uncertainty;
-    for (const oracle::PairFamily f : oracle::kPairFamilies) {
-      if (oracle::name(f) == family) row.family = f;
-    }
-    if (fields) rows.push_back(row);
-  }
-  return rows;
-}
-
-Polygon turned(const oracle::Corners& corners) {
-  std::vector<Vec3> vertices;
-  for (const oracle::Point& p : corners) vertices.push_back(tilted(Vec3(p[0], p[1], p[2])));
-  return polygon(std::move(vertices));
 }
 
 // CLAIM      IU.6-4: the enclosure holds the factor of every reference pair, in a frame of no axis: plates that float, touch

@@ -3,13 +3,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "etendue/form_factor/obstructed.hpp"
+#include "form_factor/obstructed_rows.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/obstructed_pairs.hpp"
 #include "support/evidence.hpp"
@@ -18,38 +17,6 @@ namespace etendue::validation {
 namespace {
 
 using oracle::PairFamily;
-
-struct Row {
-  PairFamily family;
-  int index;
-  double exchange;  ///< A_1 F_12
-  double uncertainty;
-};
-
-std::vector<Row> rows() {
-  std::ifstream file(ETENDUE_REFERENCE "/obstructed_pairs.csv");
-  std::string line;
-  std::getline(file, line);
-  std::vector<Row> result;
-  while (std::getline(file, line)) {
-    std::replace(line.begin(), line.end(), ',', ' ');
-    std::istringstream fields(line);
-    std::string family;
-    Row row{};
-    fields >> family >> row.index >> row.exchange >> row.uncertainty;
-    for (const PairFamily f : oracle::kPairFamilies) {
-      if (oracle::name(f) == family) row.family = f;
-    }
-    if (fields) result.push_back(row);
-  }
-  return result;
-}
-
-Polygon turned(const oracle::Corners& corners) {
-  std::vector<Vec3> vertices;
-  for (const oracle::Point& p : corners) vertices.push_back(tilted(Vec3(p[0], p[1], p[2])));
-  return polygon(std::move(vertices));
-}
 
 struct Scene {
   explicit Scene(const oracle::ObstructedPair& pair) : from(turned(pair.from)), to(turned(pair.to)) {
@@ -74,12 +41,12 @@ constexpr double kGoal = 1e-8;  ///< of the recomputed rows; their own error say
 //            and of the second in turn.
 TEST(ObstructedTable, KeepsItsBoundInEveryPair) {
   proves({"IU.6-4"}, Oracle::table, "reference/obstructed_pairs.csv: random pairs with plates in seven families");
-  const std::vector<Row> table = rows();
+  const std::vector<TableRow> table = table_rows();
   ASSERT_GE(table.size(), kLeastRows);
   std::uint64_t outside = 0, unreached = 0;
   double loosest = 0;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    const Row& row = table[k];
+    const TableRow& row = table[k];
     Scene scene(oracle::obstructed_pair(row.family, row.index));
     if (k % 2 == 1) std::swap(scene.from, scene.to);
     const double asked = std::array{1e-4, 1e-6, 1e-3}[k % 3];
@@ -120,7 +87,7 @@ TEST(ObstructedTable, BoundsDoNotGrowWithWhatIsAsked) {
 // TOLERANCE  the two bounds, and kFrame for the areas.
 TEST(ObstructedTable, IsReciprocalWithinTheBounds) {
   proves({"IU.6-5", "IU.6-4"}, Oracle::metamorphic, "both sides of every fifth pair at 1e-6");
-  const std::vector<Row> table = rows();
+  const std::vector<TableRow> table = table_rows();
   ASSERT_GE(table.size(), kLeastRows);
   for (std::size_t k = 0; k < table.size(); k += 5) {
     const Scene scene(oracle::obstructed_pair(table[k].family, table[k].index));
@@ -140,10 +107,10 @@ TEST(ObstructedTable, IsReciprocalWithinTheBounds) {
 TEST(ObstructedTable, IsWhatItsGeneratorAndRandomPointsFind) {
   proves({"IU.6-4"}, Oracle::program, "rows recomputed, and 10 000 stratified pairs of points");
   uses_seed(kSeed);
-  const std::vector<Row> table = rows();
+  const std::vector<TableRow> table = table_rows();
   ASSERT_GE(table.size(), kLeastRows);
   for (std::size_t k = 0; k < 70; ++k) {
-    const Row& row = table[(k * 7919) % table.size()];
+    const TableRow& row = table[(k * 7919) % table.size()];
     const oracle::ObstructedPair pair = oracle::obstructed_pair(row.family, row.index);
     const oracle::Estimate points = oracle::obstructed_exchange_by_points(pair, 10, kSeed + k);
     EXPECT_TRUE(near(points.value, row.exchange, 5 * points.error + row.uncertainty)) << oracle::name(row.family);

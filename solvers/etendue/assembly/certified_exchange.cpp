@@ -24,11 +24,6 @@ double scale_of(const ElementMesh& mesh) {
   return largest > 0 ? std::ldexp(1.0, -std::ilogb(largest)) : 1;
 }
 
-Tolerance with_room(Tolerance tolerance) {
-  constexpr double kRoomForRounding = 1 - 0x1p-10;
-  return {tolerance.relative * kRoomForRounding, tolerance.absolute * kRoomForRounding};
-}
-
 const char* name(EnclosedBy by) {
   switch (by) {
     case EnclosedBy::integration:

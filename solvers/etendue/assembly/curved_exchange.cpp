@@ -180,10 +180,9 @@ Bounded CurvedExchange::find(const Patch& first, const Patch& second, TileReport
   ++(blockers.empty() ? report.clear : report.obstructed);
   // The absolute error is larger as seen from the smaller surface.
   CurvedGoal goal;
-  constexpr double kRoomForRounding = 1 - 0x1p-10;
-  const Tolerance& asked = blockers.empty() ? tolerance_.free : tolerance_.obstructed;
-  goal.relative = kRoomForRounding * asked.relative;
-  goal.absolute = kRoomForRounding * asked.absolute * std::min(first.area, second.area);
+  const Tolerance asked = with_room(blockers.empty() ? tolerance_.free : tolerance_.obstructed);
+  goal.relative = asked.relative;
+  goal.absolute = asked.absolute * std::min(first.area, second.area);
   const bool in_order = source_first(first.shape, second.shape);
   return curved_exchange(in_order ? first.shape : second.shape, in_order ? second.shape : first.shape, blockers, goal);
 }

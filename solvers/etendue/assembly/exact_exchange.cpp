@@ -10,10 +10,6 @@ namespace etendue {
 
 namespace {
 
-/// Asked for in place of the whole tolerance, so that a bound that just reaches it still does after the roundings that
-/// lead to the exchange area.
-constexpr double kRoomForRounding = 1 - 0x1p-10;
-
 std::vector<Polygon> polygons_of(const ElementMesh& mesh) {
   std::vector<Polygon> polygons;
   polygons.reserve(mesh.elements.size());
@@ -25,10 +21,6 @@ std::vector<Polygon> polygons_of(const ElementMesh& mesh) {
 Tolerance of_both(Tolerance asked, const Polygon& first, const Polygon& second) {
   asked.absolute *= std::min(first.area(), second.area()) / std::max(first.area(), second.area());
   return asked;
-}
-
-Tolerance with_room(const Tolerance& asked) {
-  return {kRoomForRounding * asked.relative, kRoomForRounding * asked.absolute};
 }
 
 Bounded exchange(const Bounded& factor, double area) {

@@ -33,6 +33,13 @@ class ExchangeMethod {
   virtual std::string manner(const SurfacePair& pair) const;
 };
 
+/// What to ask of a factor for `asked`: a little less, so that a bound that just reaches it still does after the roundings
+/// that lead to the exchange area.
+[[nodiscard]] inline Tolerance with_room(const Tolerance& asked) {
+  constexpr double kRoomForRounding = 1 - 0x1p-10;
+  return {kRoomForRounding * asked.relative, kRoomForRounding * asked.absolute};
+}
+
 /// Is the bound of an exchange area within the tolerance, for the factor from either side?
 [[nodiscard]] bool reached(const Bounded& exchange, double area_i, double area_j, const Tolerance& tolerance);
 
