@@ -143,12 +143,12 @@ class Run {
     model_ = std::move(model).value();
     if (!model_.rounds.empty() && (request_.method == "certified" || request_.by_pixels())) {
       return fail({ErrorCode::invalid_input,
-                   "found round surface '" + model_.rounds.front().name + "', expected flat ones: --method " +
-                       request_.method +
+                   "found round surface '" + printable(model_.rounds.front().name) +
+                       "', expected flat ones: --method " + request_.method +
                        (request_.by_pixels() ? " projects polygons onto its pixels" : " encloses polygons only") +
                        "; exact and rays take spheres, discs and cylinders"});
     }
-    for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << note << '\n';
+    for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << printable(note) << '\n';
     method_ = made_method();
     if (!method_) {
       err_ << "etendue form-factors: stopped while surfaces " << (request_.by_pixels() ? "looked around" : "sent rays")
@@ -311,8 +311,8 @@ class Run {
     if (beyond == 0) return 0;
     return missed(std::to_string(beyond) + " pairs have bounds beyond what was asked for, the largest is " +
                   shortest(closure.largest_bound) + " from surface " + std::to_string(closure.loosest_from + 1) + " '" +
-                  model_.rows[closure.loosest_from].name + "' to " + std::to_string(closure.loosest_to + 1) + " '" +
-                  model_.rows[closure.loosest_to].name + "'");
+                  printable(model_.rows[closure.loosest_from].name) + "' to " + std::to_string(closure.loosest_to + 1) +
+                  " '" + printable(model_.rows[closure.loosest_to].name) + "'");
   }
 
   std::string repair_remark(const RepairReport& repair) const {
@@ -359,10 +359,7 @@ class Run {
     return Done{};
   }
 
-  int missed(const std::string& what) {
-    err_ << "etendue form-factors: tolerance not reached: " << what << '\n';
-    return static_cast<int>(ErrorCode::not_converged);
-  }
+  int missed(const std::string& what) { return fail({ErrorCode::not_converged, "tolerance not reached: " + what}); }
 
   int stopped(const ExchangeMatrix& elements) {
     err_ << "etendue form-factors: stopped with " << elements.tiles_done() << " of " << elements.layout().tiles()
@@ -370,7 +367,7 @@ class Run {
     if (request_.common.output.empty()) {
       err_ << "nothing is kept, since there is no --output\n";
     } else {
-      err_ << "--resume goes on with " << checkpoint_path().string() << '\n';
+      err_ << "--resume goes on with " << printable(checkpoint_path().string()) << '\n';
     }
     return static_cast<int>(ErrorCode::stopped);
   }

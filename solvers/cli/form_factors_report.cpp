@@ -9,6 +9,7 @@
 #include "etendue/core/interval.hpp"
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
+#include "etendue/text/utf8.hpp"
 
 namespace etendue::cli {
 
@@ -22,8 +23,9 @@ std::string exact(double value) {
   return text;
 }
 
+/// All beyond ASCII escaped: names that a terminal would take for a command pass it, a reader gets them back.
 std::string dumped(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 const std::string& row_name(const SurfaceModel& model, std::size_t row) {
@@ -32,7 +34,7 @@ const std::string& row_name(const SurfaceModel& model, std::size_t row) {
 
 /// "3 'floor'": by number, as in the matrix, and by name.
 std::string called(const SurfaceModel& model, std::size_t row) {
-  return std::to_string(row + 1) + " '" + row_name(model, row) + "'";
+  return std::to_string(row + 1) + " '" + printable(row_name(model, row)) + "'";
 }
 
 /// One sentence on whether the surfaces close.
@@ -52,7 +54,8 @@ std::string closedness(const MatrixReport& report) {
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMostNames = 8;
   std::string text;
-  for (std::size_t k = 0; k < names.size() && k < kMostNames; ++k) text += (k > 0 ? ", '" : "'") + names[k] + "'";
+  for (std::size_t k = 0; k < names.size() && k < kMostNames; ++k)
+    text += (k > 0 ? ", '" : "'") + printable(names[k]) + "'";
   if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
   return text;
 }
@@ -109,8 +112,8 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   const RowClosure& closure = report.closure;
   const TileReport what = report.matrix.report();
   const std::size_t n = report.matrix.size();
-  out << "scene        " << report.scene.string();
-  if (!report.model.name.empty()) out << " '" << report.model.name << "'";
+  out << "scene        " << printable(report.scene.string());
+  if (!report.model.name.empty()) out << " '" << printable(report.model.name) << "'";
   out << "\nsurfaces     " << n;
   if (!closure.covered.empty()) out << ", " << closure.covered.size() << " of them see nothing";
   const std::size_t parts = report.model.elements();
@@ -136,10 +139,10 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   out << "bound        " << rounded(closure.largest_bound) << " at most, from "
       << called(report.model, closure.loosest_from) << " to " << called(report.model, closure.loosest_to);
   out << " (" << bound_kind(report.method, report.model, what) << ")\n";
-  for (const std::string& remark : report.remarks) out << "remark       " << remark << '\n';
+  for (const std::string& remark : report.remarks) out << "remark       " << printable(remark) << '\n';
   out << "time         " << rounded(report.seconds) << " s, "
       << rounded(static_cast<double>(report.matrix.layout().pairs()) / report.seconds) << " pairs/s\n";
-  if (!report.output.empty()) out << "written      " << report.output.string() << '\n';
+  if (!report.output.empty()) out << "written      " << printable(report.output.string()) << '\n';
 }
 
 std::string matrix_report_json(const MatrixReport& report) {

@@ -73,7 +73,7 @@ std::string ray_tree_json(const RayTree& tree, const SceneFile& file, const Pixe
     report["rays"].push_back(std::move(ray));
   }
   report["tests"] = {{"surfaces", tree.tests.surfaces}, {"boxes", tree.tests.volumes}};
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return report.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";  // ASCII: a terminal may show it
 }
 
 }  // namespace etendue::cli

@@ -118,7 +118,9 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
     out << "; " << counted(bright.overflow, "pixel") << (bright.overflow == 1 ? " is" : " are")
         << " cut off in the PNG (--exposure " << rounded(request.exposure / bright.largest) << " would show them)";
   }
-  out << "\ntime        " << rounded(seconds) << " s\n" << written.exr.string() << '\n' << written.png.string() << '\n';
+  out << "\ntime        " << rounded(seconds) << " s\n"
+      << printable(written.exr.string()) << '\n'
+      << printable(written.png.string()) << '\n';
 }
 
 void print_json(std::ostream& out, const Request& request, const SceneFile& file, const Rendering& rendering,
@@ -145,7 +147,8 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
                         {"by_cutoff", counts.cut_by_cutoff},
                         {"largest_weight", counts.largest_cut_weight}};
   report["seconds"] = seconds;
-  out << report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  // ASCII: a terminal may show it.
+  out << report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 /// Gives the picture so many columns, and rows in proportion, at least one; or says why that cannot be.
@@ -200,7 +203,7 @@ int explain_pixel(const Request& request, const Options& options, const SceneFil
   } else if (request.common.output.empty()) {
     out << to_text(tree, scene);
   } else if (!request.common.quiet) {
-    out << request.common.output.string() << '\n';
+    out << printable(request.common.output.string()) << '\n';
   }
   return 0;
 }
@@ -259,7 +262,7 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   }
   if (!request.pixel) {
     if (const auto room = check_room(file.scene.camera); !room) {
-      return fail(err, kName, {room.error().code, request.scene.string() + ": " + room.error().message});
+      return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
   const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;

@@ -115,7 +115,7 @@ Result<Done> check_room(const Request& request, std::size_t elements) {
   const auto room = check_memory({n * n * bytes_a_pair, std::to_string(elements) + " elements need",
                                   shortest(bytes_a_pair) + " bytes for each of n² pairs",
                                   "divide the surfaces into fewer elements (\"elements\" of the objects)"});
-  if (!room) return Error{room.error().code, request.scene.string() + ": " + room.error().message};
+  if (!room) return Error{room.error().code, printable(request.scene.string()) + ": " + room.error().message};
   return Done{};
 }
 

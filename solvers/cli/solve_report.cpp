@@ -30,8 +30,9 @@ Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
+/// All beyond ASCII escaped: names that a terminal would take for a command pass it, a reader gets them back.
 std::string dumped(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 std::size_t rows_done(const SolveReport& report) {
@@ -293,7 +294,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
       << "; " << matrix.reciprocity.refined << " were computed in parts until both sides agreed\n";
   if (!report.solution) {
     out << "stopped      " << rows_done(report) << " of " << report.mesh.elements.size() << " rows are done\n"
-        << report.json.string() << '\n';
+        << printable(report.json.string()) << '\n';
     return;
   }
   print_closure(out, report);
@@ -306,7 +307,8 @@ void print_summary(std::ostream& out, const SolveReport& report) {
         << rounded(channel.balance.defect) << " unaccounted for\n";
   }
   if (!is_solved(report)) {
-    out << "stopped      " << report.solution->solved << " of 3 channels are solved\n" << report.json.string() << '\n';
+    out << "stopped      " << report.solution->solved << " of 3 channels are solved\n"
+        << printable(report.json.string()) << '\n';
     return;
   }
   print_certified(out, report);
@@ -315,7 +317,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
       << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n"
       << "time         " << rounded(report.seconds) << " s\n";
   for (const auto& path : {report.exr, report.png, report.json}) {
-    if (!path.empty()) out << path.string() << '\n';
+    if (!path.empty()) out << printable(path.string()) << '\n';
   }
 }
 

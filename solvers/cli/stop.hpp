@@ -9,7 +9,8 @@ namespace etendue::cli {
 /// is done and returns ErrorCode::stopped.
 const std::atomic<bool>& stop_requested();
 
-/// From now on the first SIGINT or SIGTERM raises stop_requested(); the second ends the program at once.
+/// From now on the first SIGINT or SIGTERM raises stop_requested(). What follows within a second belongs to the same
+/// request; a later one ends the program at once, as if nobody had watched.
 void watch_stop_signals();
 
 /// While one lives, nothing is there to be saved: the first signal ends the program at once, as a stop (6), even where

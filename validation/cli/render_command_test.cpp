@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "etendue/io/image_file.hpp"
@@ -12,6 +16,28 @@ namespace {
 std::string mirrors() {
   return (source_root() / "scenes" / "mirrors" / "scene.json").string();
 }
+
+/// While one lives, this program and those that it starts may have so many bytes of address space, beyond what this one
+/// has: the sanitizers take terabytes for themselves.
+class AddressSpace {
+ public:
+  explicit AddressSpace(double bytes) {
+    getrlimit(RLIMIT_AS, &before_);
+    double pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit limit = before_;
+    limit.rlim_cur = static_cast<rlim_t>(pages * static_cast<double>(sysconf(_SC_PAGESIZE)) + bytes);
+    set_ = setrlimit(RLIMIT_AS, &limit) == 0;
+  }
+  ~AddressSpace() { setrlimit(RLIMIT_AS, &before_); }
+  AddressSpace(const AddressSpace&) = delete;
+  AddressSpace& operator=(const AddressSpace&) = delete;
+  bool is_set() const { return set_; }
+
+ private:
+  rlimit before_{};
+  bool set_ = false;
+};
 
 // CLAIM      The tree of rays of a pixel can be printed and drawn from the command line.
 // ORACLE     table: the scene: from mirror to mirror, each taking a tenth.
@@ -119,6 +145,37 @@ TEST(RenderCommand, RefusesColumnsThatMakeTooManyPixels) {
       "16384 × 1073741824\n";
   EXPECT_TRUE(holds(ended.err.find(words) != std::string::npos)) << ended.err;
   EXPECT_EQ(folder.contents(), "tall.json");
+}
+
+// CLAIM      A picture that cannot be held is refused with 5 before it is begun: its size, bytes, and what to do. Made smaller
+//            it is rendered.
+// ORACLE     closed form: 51 bytes for each of 2^28 pixels, with 6 GB allowed.
+// TOLERANCE  none: the printed digits.
+TEST(RenderCommand, RefusesAPictureThatNoMemoryHolds) {
+  proves({}, Oracle::closed_form, "51 bytes a pixel");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("wide.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
+ "camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 90, "resolution": [65536, 4096]},
+ "materials": {"grey": {"k_d": 0.5}},
+ "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})");
+  const std::vector<std::string> whole{"render", scene.string(), "--output", (folder.path() / "a.png").string()};
+  std::vector<std::string> smaller = whole;
+  smaller.insert(smaller.end(), {"--columns", "16", "--quiet"});
+  const AddressSpace six(6e9);
+  ASSERT_TRUE(six.is_set());
+  const Ended refused = run_etendue(whole);
+  EXPECT_TRUE(holds(refused.code == 5)) << refused.code;
+  // 51 · 2^28 = 1.369e10.
+  EXPECT_TRUE(
+      holds(refused.err.find("etendue render: " + scene.string() +
+                             ": a picture of 65536 × 4096 pixels needs 13.7 GB of memory (51 bytes a pixel), ") == 0))
+      << refused.err;
+  EXPECT_TRUE(holds(refused.err.find(" GB are available: make it smaller (--columns)\n") != std::string::npos))
+      << refused.err;
+  EXPECT_TRUE(holds(folder.contents() == "wide.json")) << folder.contents();
+  const Ended rendered = run_etendue(smaller);
+  EXPECT_TRUE(holds(rendered.code == 0)) << rendered.err;
+  EXPECT_TRUE(holds(folder.contents() == "a.exr a.png wide.json")) << folder.contents();
 }
 
 }  // namespace

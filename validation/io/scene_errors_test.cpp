@@ -190,6 +190,20 @@ TEST(SceneErrors, AreAllReportedAtOnce) {
   EXPECT_TRUE(all_agree(pointers == expected ? 0 : 1, 1));
 }
 
+/// "7 /objects/0/centre/2, " of each error, and the last line.
+std::string lines_and_pointers(const std::string& message) {
+  std::istringstream lines(message);
+  std::string found;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t place = line.find(".json:");
+    if (place == std::string::npos) return found + line;
+    const std::size_t pointer = line.find(": /", place);
+    found += line.substr(place + 6, line.find(':', place + 6) - place - 6) + " " +
+             line.substr(pointer + 2, line.find(": ", pointer + 2) - pointer - 2) + ", ";
+  }
+  return found;
+}
+
 // CLAIM      An object or a light whose type is missing, misspelt or of another kind does not hide its other errors.
 // ORACLE     exact: errors planted in objects written for it, one a line.
 // TOLERANCE  none: places and numbers are known.
@@ -213,36 +227,46 @@ TEST(SceneErrors, AreNotHiddenByATypeThatIsNone) {
   "children": [
    {"type": "disc", "centre": [0, 0, 0], "normal": [0, 0, 0], "radius": 1, "material": "wall"}],
   "transform": 1}]})";
-  std::istringstream lines(message_of(folder.add("scene.json", text)));
-  std::vector<std::string> found;
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t place = line.find(".json:");
-    if (place == std::string::npos) {
-      found.push_back(line);
-      continue;
-    }
-    const std::size_t pointer = line.find(": /", place);
-    found.push_back(line.substr(place + 6, line.find(':', place + 6) - place - 6) + " " +
-                    line.substr(pointer + 2, line.find(": ", pointer + 2) - pointer - 2));
-  }
-  const std::vector<std::string> expected{"3 /lights/0/type",
-                                          "4 /lights/0/intensity",
-                                          "4 /lights/1",
-                                          "5 /lights/1/intensity",
-                                          "6 /objects/0/type",
-                                          "7 /objects/0/centre/2",
-                                          "8 /objects/0/radius",
-                                          "9 /objects/1",
-                                          "10 /objects/1/material",
-                                          "11 /objects/1/elements/0",
-                                          "12 /objects/1/colour",
-                                          "12 /objects/2/type",
-                                          "13 /objects/2/name",
-                                          "16 /objects/2/children/0/normal",
-                                          "17 /objects/2/transform",
-                                          "15 errors"};
+  const auto found = lines_and_pointers(message_of(folder.add("scene.json", text)));
+  const std::string expected =
+      "3 /lights/0/type, 4 /lights/0/intensity, 4 /lights/1, 5 /lights/1/intensity, 6 /objects/0/type, "
+      "7 /objects/0/centre/2, 8 /objects/0/radius, 9 /objects/1, 10 /objects/1/material, 11 /objects/1/elements/0, "
+      "12 /objects/1/colour, 12 /objects/2/type, 13 /objects/2/name, 16 /objects/2/children/0/normal, "
+      "17 /objects/2/transform, 15 errors";
   EXPECT_EQ(found, expected);
-  EXPECT_TRUE(all_agree(found == expected ? 0 : 1, expected.size()));
+  EXPECT_TRUE(all_agree(found == expected ? 0 : 1, 15));
+}
+
+// CLAIM      An array of a wrong length, a wrong vertex, or keys that contradict one another do not hide the errors of
+//            the values in them and beside them.
+// ORACLE     exact: errors planted, their lines counted by hand.
+// TOLERANCE  none: places and numbers are known.
+TEST(SceneErrors, AreNotHiddenByAWrongCount) {
+  proves({}, Oracle::exact, "errors planted in arrays that are too short or too long");
+  const TemporaryFolder folder;
+  const std::string text = R"({"format": "etendue-scene", "version": 1, "unit": "m", "include": [], "materials": {
+  "wall": {"k_d": [0.1, 2]}},
+"lights": [{"type": 5, "position": [0, "a"], "intensity": 1}],
+"camera": {"look_at": [0, 0, "b"], "gaze": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 60, "eye": [0, 0, 1, "c"],
+  "resolution": [4, 4, 0]},
+"objects": [
+ {"type": "polygon", "material": "wall", "vertices": [[0, 0, 0], [0, "d", 0]], "elements": [0]},
+ {"type": "triangle", "material": "wall", "vertices": [[0, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0, "e"]]},
+ {"type": "box", "material": "wall", "low": [0, 0, "f"], "size": [1, -1, 1]},
+ {"type": "mesh", "material": "wall", "vertices": [[0, 0], [0, 1, 0], [1, 1, 0]], "triangles": [[0, 1, 3], [0, -1]]},
+ {"type": 5, "material": "wall", "centre": [0, "g", 0], "radius": -1, "normal": [0, 0, 0], "vertices": [[1]]}]})";
+  const std::string expected =
+      "1 /include, 2 /materials/wall/k_d, 2 /materials/wall/k_d/1, 3 /lights/0/type, 3 /lights/0/position, "
+      "3 /lights/0/position/1, 4 /camera, 4 /camera/look_at/2, 4 /camera/gaze, 4 /camera/eye, 4 /camera/eye/3, "
+      "5 /camera/resolution, 5 /camera/resolution/2, 7 /objects/0/vertices, 7 /objects/0/vertices/1/1, "
+      "7 /objects/0/elements, 7 /objects/0/elements/0, 8 /objects/1/vertices, 8 /objects/1/vertices/3/2, "
+      "9 /objects/2, 9 /objects/2/low/2, 9 /objects/2/size/1, 10 /objects/3/vertices/0, "
+      "10 /objects/3/triangles/0/2, 10 /objects/3/triangles/1, 10 /objects/3/triangles/1/1, 11 /objects/4/type, "
+      "11 /objects/4/centre/1, 11 /objects/4/radius, 11 /objects/4/normal, 11 /objects/4/vertices, "
+      "11 /objects/4/vertices/0, 32 errors";
+  const auto found = lines_and_pointers(message_of(folder.add("scene.json", text)));
+  EXPECT_EQ(found, expected);
+  EXPECT_TRUE(all_agree(found == expected ? 0 : 1, 32));
 }
 
 // CLAIM      That no object is there is said beside the other errors; not where an included file may hold some.

@@ -193,7 +193,8 @@ TEST(RadiositySystem, GrowsWithEveryDatum) {
 
 // CLAIM      IU.6-7: in a closed furnace with uniform E and ρ every patch has E/(1 − ρ), inside the returned bound.
 // ORACLE     closed form: E/(1 − ρ).
-// TOLERANCE  1e-12 relatively for ρ ≤ 0.9 (the bar of the project), and the returned bound plus the effect
+// TOLERANCE  1e-12 relatively for ρ ≤ 0.9 (the bar of the project; 2γ_203 = 4.5e-14 and the closure defect over 1 − ρ allow it
+//            up to 0.95 for 200 patches), and for any ρ the returned bound plus the effect
 //            ρ |1 − Σ F| E/(1−ρ)² of rows that do not sum to one exactly.
 TEST(RadiositySystem, FillsAFurnaceWithEmissionOverOneMinusReflectance) {
   proves({"IU.6-7", "IU.6-9"}, Oracle::closed_form, "E/(1 − ρ)");

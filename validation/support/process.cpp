@@ -82,13 +82,16 @@ class Terminal {
 /// Waits for the end; interrupts and kills when it is time.
 int wait_for(pid_t process, Clock::time_point begin, const ProcessOptions& options, Terminal* terminal) {
   int status = 0;
-  bool interrupted = options.interrupt_after <= 0 && !terminal;
+  int interrupts = (options.interrupt_after > 0 || terminal ? 1 : 0) + (options.interrupt_again > 0 ? 1 : 0);
+  double again_at = 0;
   while (::waitpid(process, &status, WNOHANG) == 0) {
-    const bool now = terminal ? terminal->text().find(options.interrupt_at) != std::string::npos
-                              : seconds_since(begin) >= options.interrupt_after;
-    if (!interrupted && now) {
+    const bool now = again_at > 0 ? seconds_since(begin) >= again_at
+                     : terminal   ? terminal->text().find(options.interrupt_at) != std::string::npos
+                                  : seconds_since(begin) >= options.interrupt_after;
+    if (interrupts > 0 && now) {
       ::kill(process, SIGINT);
-      interrupted = true;
+      --interrupts;
+      again_at = seconds_since(begin) + options.interrupt_again;
     }
     if (seconds_since(begin) > kLongest) ::kill(process, SIGKILL);
     std::this_thread::sleep_for(std::chrono::microseconds(200));

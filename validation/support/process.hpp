@@ -23,7 +23,8 @@ struct ProcessOptions {
   std::filesystem::path out;                                     ///< where standard output goes instead
   bool closed_pipe = false;                                      ///< standard output is a pipe that nobody reads
   double interrupt_after = 0;                                    ///< seconds after which SIGINT is sent; 0: never
-  std::string interrupt_at;  ///< standard error is a terminal; SIGINT is sent when this appears on it
+  std::string interrupt_at;    ///< standard error is a terminal; SIGINT is sent when this appears on it
+  double interrupt_again = 0;  ///< seconds after the first SIGINT at which a second is sent; 0: never
 };
 
 /// Runs a program to its end (or kills it after two minutes).

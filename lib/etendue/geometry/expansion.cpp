@@ -24,6 +24,17 @@ void Expansion::grow(double term) {
   if (term != 0) terms_.push_back(term);
 }
 
+void Expansion::add_product(const DoubleDouble& a, const DoubleDouble& b) {
+  for (const double left : {a.low, a.high}) {
+    for (const double right : {b.low, b.high}) {
+      if (left == 0 || right == 0) continue;
+      const DoubleDouble product = exact_product(left, right);
+      if (product.low != 0) grow(product.low);
+      grow(product.high);
+    }
+  }
+}
+
 int Expansion::sign() const {
   if (terms_.empty()) return 0;
   return terms_.back() > 0 ? 1 : -1;

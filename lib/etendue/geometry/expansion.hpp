@@ -19,6 +19,9 @@ class Expansion {
   Expansion(double value);
   Expansion(const DoubleDouble& value);
 
+  /// Adds a · b: as a sum of products does, without expansions of its own for each.
+  void add_product(const DoubleDouble& a, const DoubleDouble& b);
+
   [[nodiscard]] int sign() const;  ///< −1, 0 or 1
   [[nodiscard]] DoubleDouble to_double_double() const;
 

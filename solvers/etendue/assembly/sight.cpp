@@ -20,6 +20,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// much; a height takes two corners, the normal times their distance, and a dot product: 24u. More than twice that.
 constexpr double kHeightRoundings = 64;
 
+/// More normals are not tried, which grow as the cube of the corners: what might be separated then counts as obstructed,
+/// which costs time, not truth. A pair of hexagons and a box need 36 · (3 + 12).
+constexpr std::size_t kMostNormals = 10'000;
+
 /// Objects of more faces are not tried as solids: that compares every face with every corner.
 constexpr std::size_t kMostFaces = 32;
 
@@ -227,6 +231,9 @@ bool SightMap::separated(const Body& body, const Pair& pair) const {
     if (!(square > 0)) break;
     axis -= 2 * (axis.dot(contradiction) / square) * contradiction;
   }
+  const std::size_t corners = pair.from.vertices().size() + pair.to.vertices().size();
+  const std::size_t lines = pair.from.vertices().size() * pair.to.vertices().size();
+  if (lines * (body.directions.size() + corners) > kMostNormals) return false;
   // What a line between two corners passes through is not separated by any plane.
   for (const Vec3& p : pair.from.vertices()) {
     for (const Vec3& q : pair.to.vertices()) {

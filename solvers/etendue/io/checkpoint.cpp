@@ -111,15 +111,15 @@ std::string difference(const std::string& found, const CheckpointKey& key) {
   Header header;
   std::memcpy(&header, found.data(), sizeof header);
   const std::string settings = found.substr(sizeof header, header.settings);
-  if (settings != key.settings) return "was begun with '" + settings + "', not with '" + key.settings + "'";
+  if (settings != key.settings) return "was begun with '" + printable(settings) + "', not with '" + key.settings + "'";
   const char* hashes = found.data() + sizeof header + header.settings;
   const std::size_t common = std::min<std::size_t>(header.surfaces, key.hashes.size());
   for (std::size_t k = 0; k < common; ++k) {
     if (std::memcmp(hashes + k * sizeof(std::uint64_t), &key.hashes[k], sizeof(std::uint64_t)) == 0) continue;
-    return "was begun with another geometry: surface " + std::to_string(k + 1) + " '" + key.names[k] +
+    return "was begun with another geometry: surface " + std::to_string(k + 1) + " '" + printable(key.names[k]) +
            "' is the first that differs";
   }
-  const std::string next = common < key.names.size() ? "; surface '" + key.names[common] + "' is new" : "";
+  const std::string next = common < key.names.size() ? "; surface '" + printable(key.names[common]) + "' is new" : "";
   return "was begun with " + std::to_string(header.surfaces) + " surfaces and faces, not with " +
          std::to_string(key.hashes.size()) + next;
 }

@@ -54,13 +54,14 @@ std::optional<Light> read_light(const SceneNode& node, const Placement& placemen
     return std::nullopt;
   const auto intensity_node = node.member("intensity");
   const auto intensity = intensity_node ? intensity_node->colour(kNonNegative) : std::nullopt;
-  if (!type) return std::nullopt;
-  const bool is_point = *type == "point";
-  const auto where = node.member(is_point ? "position" : "direction");
-  const auto vector = where ? is_point ? where->vector() : where->direction() : std::nullopt;
-  if (!intensity || !vector) return std::nullopt;
-  if (is_point) return Light(PointLight{placement.point(*vector), *intensity});
-  return Light(DirectionalLight{*vector, *intensity});
+  // Of a light of unknown type both are read, for their errors.
+  const auto position_node = node.member("position"), direction_node = node.member("direction");
+  const auto position = position_node && type != "directional" ? position_node->vector() : std::nullopt;
+  const auto direction = direction_node && type != "point" ? direction_node->direction() : std::nullopt;
+  if (!type || !intensity) return std::nullopt;
+  if (position) return Light(PointLight{placement.point(*position), *intensity});
+  if (direction) return Light(DirectionalLight{*direction, *intensity});
+  return std::nullopt;
 }
 
 }  // namespace etendue

@@ -14,27 +14,25 @@ constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max();
 /// The corners of one face; an index that names no vertex is reported where it stands.
 std::optional<std::vector<std::uint32_t>> read_face(const SceneNode& face, std::size_t corners, std::size_t vertices) {
   const auto nodes = face.items(corners, corners, "vertex indices");
-  if (!nodes) return std::nullopt;
   std::vector<std::uint32_t> indices;
-  for (const SceneNode& node : *nodes) {
+  for (const SceneNode& node : nodes) {
     if (const auto index = node.integer(0, static_cast<long>(vertices) - 1)) {
       indices.push_back(static_cast<std::uint32_t>(*index));
     }
   }
-  return indices.size() == corners ? std::optional(indices) : std::nullopt;
+  return nodes.size() == corners && indices.size() == corners ? std::optional(indices) : std::nullopt;
 }
 
-/// Appends the triangles of one kind of face (a fan from the first corner).
-bool read_faces(const SceneNode& faces, std::size_t corners, Mesh& mesh) {
-  const auto nodes = faces.items(1, kMostVertices, "faces");
-  if (!nodes) return false;
+/// Appends the triangles of one kind of face (a fan from the first corner), whose indices name one of `vertices`. Where
+/// the mesh has none of them, since one is wrong, areas are not looked at.
+bool read_faces(const SceneNode& faces, std::size_t corners, std::size_t vertices, Mesh& mesh) {
   bool sound = true;
-  for (const SceneNode& node : *nodes) {
-    const auto face = read_face(node, corners, mesh.vertices.size());
+  for (const SceneNode& node : faces.items(1, kMostVertices, "faces")) {
+    const auto face = read_face(node, corners, vertices);
     sound = sound && face.has_value();
     for (std::size_t i = 2; face && i < corners; ++i) {
       mesh.triangles.push_back({(*face)[0], (*face)[i - 1], (*face)[i]});
-      if (has_area(mesh.triangle(mesh.triangles.size() - 1))) continue;
+      if (mesh.vertices.empty() || has_area(mesh.triangle(mesh.triangles.size() - 1))) continue;
       node.complain("found a face whose corners " + std::string(corners == 3 ? "" : "(split into triangles) ") +
                     "lie on one line, expected a face with an area");
       sound = false;
@@ -47,13 +45,13 @@ bool read_faces(const SceneNode& faces, std::size_t corners, Mesh& mesh) {
 
 std::optional<std::vector<Vec3>> read_vertices(const SceneNode& node, std::size_t fewest, std::size_t most) {
   const auto nodes = node.items(fewest, most, "vertices");
-  if (!nodes) return std::nullopt;
   std::vector<Vec3> vertices;
-  vertices.reserve(nodes->size());
-  for (const SceneNode& item : *nodes) {
+  vertices.reserve(nodes.size());
+  for (const SceneNode& item : nodes) {
     if (const auto vertex = item.vector()) vertices.push_back(*vertex);
   }
-  return vertices.size() == nodes->size() ? std::optional(std::move(vertices)) : std::nullopt;
+  const bool sound = vertices.size() == nodes.size() && nodes.size() >= fewest && nodes.size() <= most;
+  return sound ? std::optional(std::move(vertices)) : std::nullopt;
 }
 
 bool has_area(const Triangle& triangle) {
@@ -66,12 +64,14 @@ std::optional<Mesh> read_mesh(const SceneNode& node) {
   auto points = vertices ? read_vertices(*vertices, 3, kMostVertices) : std::nullopt;
   const auto triangles = node.member("triangles"), quads = node.member("quads");
   if (!triangles && !quads) node.complain("found neither \"triangles\" nor \"quads\", expected one of them or both");
-  if (!points || (!triangles && !quads)) return std::nullopt;
+  const std::size_t written = vertices ? vertices->json().items.size() : 0;
+  const std::size_t count = written > 0 ? written : kMostVertices;  // without any, no index is wrong for that
   Mesh mesh;
-  mesh.vertices = std::move(*points);
-  const bool sound_triangles = !triangles || read_faces(*triangles, 3, mesh);
-  const bool sound_quads = !quads || read_faces(*quads, 4, mesh);
-  return sound_triangles && sound_quads ? std::optional(std::move(mesh)) : std::nullopt;
+  if (points) mesh.vertices = std::move(*points);
+  const bool sound_triangles = !triangles || read_faces(*triangles, 3, count, mesh);
+  const bool sound_quads = !quads || read_faces(*quads, 4, count, mesh);
+  const bool sound = !mesh.vertices.empty() && !mesh.triangles.empty() && sound_triangles && sound_quads;
+  return sound ? std::optional(std::move(mesh)) : std::nullopt;
 }
 
 }  // namespace etendue

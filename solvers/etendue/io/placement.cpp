@@ -111,9 +111,7 @@ Mat3 rotation(const Vec3& axis, double angle_deg) {
 
 Placement read_transform(const SceneNode& node) {
   Placement all;
-  if (const auto steps = node.items(1, kAnyCount, "steps")) {
-    for (const SceneNode& step : *steps) all = compose(read_step(step), all);
-  }
+  for (const SceneNode& step : node.items(1, kAnyCount, "steps")) all = compose(read_step(step), all);
   return all;
 }
 

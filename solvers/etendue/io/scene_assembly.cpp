@@ -49,7 +49,6 @@ class Assembly {
     for (const auto& [name, node] : materials->members()) {
       if (!material_index_.emplace(name, scene_.materials.size()).second) {
         node.complain("found a material of a name that an included file has taken, expected another name");
-        continue;
       }
       scene_.materials.push_back(read_material(node, name));
     }
@@ -110,7 +109,6 @@ class Assembly {
     if (look_at.has_value() == gaze.has_value()) {
       node.complain(std::string("found ") + (gaze ? "both \"look_at\" and" : "neither \"look_at\" nor") +
                     " \"gaze\", expected one of them");
-      return;
     }
     if (gaze) camera.gaze = gaze->direction().value_or(camera.gaze);
     if (look_at) {
@@ -123,31 +121,26 @@ class Assembly {
   }
 
   void read_resolution(const SceneNode& node) {
-    const auto sides = node.items(2, 2, "integers (columns, rows)");
+    const auto sides = read_two(node, "integers (columns, rows)", kLongestSide);
     if (!sides) return;
-    const auto columns = (*sides)[0].integer(1, kLongestSide), rows = (*sides)[1].integer(1, kLongestSide);
-    if (!columns || !rows) return;
-    if (*columns * *rows > kMostPixels) {
-      node.complain("found " + std::to_string(*columns) + " x " + std::to_string(*rows) + " pixels, expected at most " +
+    const auto [columns, rows] = *sides;
+    if (static_cast<long>(columns) * rows > kMostPixels) {
+      node.complain("found " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels, expected at most " +
                     std::to_string(kMostPixels));
       return;
     }
-    scene_.camera.columns = static_cast<int>(*columns);
-    scene_.camera.rows = static_cast<int>(*rows);
+    scene_.camera.columns = columns;
+    scene_.camera.rows = rows;
   }
 
   void read_lights(const SceneNode& lights, const Placement& placement) {
-    const auto nodes = lights.items(0, kAnyCount, "lights");
-    if (!nodes) return;
-    for (const SceneNode& node : *nodes) {
+    for (const SceneNode& node : lights.items(0, kAnyCount, "lights")) {
       if (auto light = read_light(node, placement)) scene_.lights.push_back(*light);
     }
   }
 
   void read_objects(const SceneNode& objects, const Placement& placement, const std::string& prefix) {
-    const auto nodes = objects.items(1, kAnyCount, "objects");
-    if (!nodes) return;
-    for (const SceneNode& node : *nodes) read_object(node, placement, prefix);
+    for (const SceneNode& node : objects.items(1, kAnyCount, "objects")) read_object(node, placement, prefix);
   }
 
   void read_object(const SceneNode& node, const Placement& outer, const std::string& prefix) {
@@ -169,13 +162,14 @@ class Assembly {
     if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
   }
 
-  /// An object of unknown kind, read for its errors in what objects of all kinds have, and in its children.
+  /// An object of unknown kind, read for its errors: what objects of all kinds have, numbers of shapes, children.
   void read_without_type(const SceneNode& node, const Placement& outer, const std::string& prefix) {
     if (!node.is(keys_of_any(object_types()))) return;
     if (const auto name = node.member("name")) (void)name->text();  // reported there, and so on
     if (const auto transform = node.member("transform")) (void)read_transform(*transform);
     (void)read_material_name(node);
     (void)read_subdivision(node);
+    read_numbers_of_shapes(node);
     if (const auto children = node.member("children")) read_objects(*children, outer, prefix);
   }
 
@@ -192,21 +186,24 @@ class Assembly {
     return std::nullopt;
   }
 
-  /// Two counts, along the first and the second edge.
-  static std::optional<std::pair<int, int>> read_counts(const SceneNode& node) {
-    const auto counts = node.items(2, 2, "integers");
-    if (!counts) return std::nullopt;
-    const auto first = (*counts)[0].integer(1, kMostElementsAlong),
-               second = (*counts)[1].integer(1, kMostElementsAlong);
-    if (!first || !second) return std::nullopt;
-    return std::pair(static_cast<int>(*first), static_cast<int>(*second));
+  /// Two counts from 1 to `most`; what is none is reported.
+  static std::optional<std::pair<int, int>> read_two(const SceneNode& node, const std::string& what, long most) {
+    const auto nodes = node.items(2, 2, what);
+    std::vector<int> counts;
+    for (const SceneNode& one : nodes) {
+      if (const auto count = one.integer(1, most)) counts.push_back(static_cast<int>(*count));
+    }
+    if (nodes.size() != 2 || counts.size() != 2) return std::nullopt;
+    return std::pair(counts[0], counts[1]);
   }
 
   static Subdivision read_subdivision(const SceneNode& node) {
     Subdivision subdivision;
     const auto elements_node = node.member("elements"), patches_node = node.member("patches");
-    const auto elements = elements_node ? read_counts(*elements_node) : std::pair(1, 1);
-    const auto patches = patches_node ? read_counts(*patches_node) : std::pair(1, 1);
+    const auto read = [](const std::optional<SceneNode>& counts) {
+      return counts ? read_two(*counts, "integers", kMostElementsAlong) : std::pair(1, 1);
+    };
+    const auto elements = read(elements_node), patches = read(patches_node);
     if (!elements || !patches) return subdivision;
     if (static_cast<long>(elements->first) * elements->second > kMostElements) {
       elements_node->complain("found more than " + std::to_string(kMostElements) + " elements, expected fewer");

@@ -91,9 +91,7 @@ class Loader {
   }
 
   void read_includes(const SceneNode& include, const fs::path& path) {
-    const auto nodes = include.items(1, std::numeric_limits<std::size_t>::max(), "file names");
-    if (!nodes) return;
-    for (const SceneNode& node : *nodes) {
+    for (const SceneNode& node : include.items(1, std::numeric_limits<std::size_t>::max(), "file names")) {
       const auto name = node.text();
       if (!name) continue;
       const fs::path file = (path.parent_path() / *name).lexically_normal();

@@ -22,6 +22,16 @@ std::string quoted(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The numbers that all these are, if they are three; what is no such number is reported.
+std::optional<Vec3> three(const std::vector<SceneNode>& parts, const Interval& interval) {
+  std::vector<double> numbers;
+  for (const SceneNode& part : parts) {
+    if (const auto number = part.number(interval)) numbers.push_back(*number);
+  }
+  if (parts.size() != 3 || numbers.size() != 3) return std::nullopt;
+  return Vec3(numbers[0], numbers[1], numbers[2]);
+}
+
 /// "scene.json:29:5: /objects/1"
 std::string located(const std::string& name, const Place& place, const std::string& pointer) {
   constexpr std::size_t kLongestPointer = 200;
@@ -111,17 +121,21 @@ std::vector<std::pair<std::string, SceneNode>> SceneNode::members() const {
   return all;
 }
 
-std::optional<std::vector<SceneNode>> SceneNode::items(std::size_t fewest, std::size_t most,
-                                                       const std::string& what) const {
+std::vector<SceneNode> SceneNode::items(std::size_t fewest, std::size_t most, const std::string& what) const {
   const std::size_t count = json_->items.size();
   if (json_->kind != JsonValue::Kind::array || count < fewest || count > most) {
     const std::string number = fewest == most ? std::to_string(fewest) : std::to_string(fewest) + " or more";
     expected("an array of " + number + " " + what);
-    return std::nullopt;
   }
+  return children();
+}
+
+std::vector<SceneNode> SceneNode::children() const {
   std::vector<SceneNode> nodes;
-  nodes.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) nodes.push_back(at(json_->items[i], pointer_to(pointer_, i)));
+  nodes.reserve(json_->items.size());
+  for (std::size_t i = 0; i < json_->items.size(); ++i) {
+    nodes.push_back(at(json_->items[i], pointer_to(pointer_, i)));
+  }
   return nodes;
 }
 
@@ -166,16 +180,7 @@ std::optional<std::string> SceneNode::kind(const std::vector<std::string>& kinds
 }
 
 std::optional<Vec3> SceneNode::vector(const Interval& interval) const {
-  const auto parts = items(3, 3, "numbers");
-  if (!parts) return std::nullopt;
-  Vec3 value = Vec3::Zero();
-  bool complete = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto part = (*parts)[i].number(interval);
-    complete = complete && part.has_value();
-    value[static_cast<Eigen::Index>(i)] = part.value_or(0);
-  }
-  return complete ? std::optional(value) : std::nullopt;
+  return three(items(3, 3, "numbers"), interval);
 }
 
 std::optional<Vec3> SceneNode::direction() const {
@@ -195,9 +200,8 @@ std::optional<Rgb> SceneNode::colour(const Interval& interval) const {
   }
   if (json_->kind != JsonValue::Kind::array || json_->items.size() != 3) {
     expected("a number in " + interval.text() + ", or an array of 3 of them (red, green, blue)");
-    return std::nullopt;
   }
-  const auto value = vector(interval);
+  const auto value = three(children(), interval);
   return value ? std::optional<Rgb>(value->array()) : std::nullopt;
 }
 

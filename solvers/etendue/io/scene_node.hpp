@@ -72,9 +72,9 @@ class SceneNode {
   /// Of an object: its values in order, with their keys.
   [[nodiscard]] std::vector<std::pair<std::string, SceneNode>> members() const;
 
-  /// Items of an array that has `fewest` to `most` of `what` ("vertices").
-  [[nodiscard]] std::optional<std::vector<SceneNode>> items(std::size_t fewest, std::size_t most,
-                                                            const std::string& what) const;
+  /// Items of an array that should have `fewest` to `most` of `what` ("vertices"). Of an array that has more or fewer,
+  /// which is reported, all the same, to find what is wrong with them too; of anything else none.
+  [[nodiscard]] std::vector<SceneNode> items(std::size_t fewest, std::size_t most, const std::string& what) const;
   [[nodiscard]] std::optional<double> number(const Interval& interval) const;
   [[nodiscard]] std::optional<long> integer(long low, long high) const;
   [[nodiscard]] std::optional<std::string> text() const;
@@ -89,6 +89,7 @@ class SceneNode {
 
  private:
   SceneNode at(const JsonValue& json, std::string pointer) const;
+  std::vector<SceneNode> children() const;  ///< items of an array
 
   const JsonValue* json_;
   std::size_t file_;

@@ -139,6 +139,8 @@ std::optional<std::pair<Vec3, Vec3>> read_corners(const SceneNode& node) {
   if (by_corners == by_centre || !node.member(by_corners ? "high" : "size") ||
       !node.member(by_corners ? "low" : "centre")) {
     node.complain("found a box with other keys, expected either \"low\" and \"high\", or \"centre\" and \"size\"");
+    for (const char* key : {"low", "high", "centre"}) (void)vector_of(node, key);
+    (void)vector_of(node, "size", kPositive);
     return std::nullopt;
   }
   if (by_centre) {
@@ -201,6 +203,14 @@ std::optional<Shape> read_shape(const SceneNode& node, const std::string& type, 
   if (type == "box") return read_box(node, placement);
   require(type == "mesh", "read_shape: the type is one of object_types()");
   return read_placed_mesh(node, placement);
+}
+
+void read_numbers_of_shapes(const SceneNode& node) {
+  for (const char* key : {"centre", "point", "base", "top", "low", "high"}) (void)vector_of(node, key);
+  (void)vector_of(node, "size", kPositive);
+  (void)direction_of(node, "normal");
+  (void)length_of(node, "radius");
+  if (const auto vertices = node.member("vertices")) (void)read_vertices(*vertices, 3, kMostVertices);
 }
 
 }  // namespace etendue

@@ -14,4 +14,7 @@ namespace etendue {
 [[nodiscard]] std::optional<Shape> read_shape(const SceneNode& node, const std::string& type,
                                               const Placement& placement);
 
+/// Reads what shapes of any type may have, to report what is wrong with it: for an object whose type nobody knows.
+void read_numbers_of_shapes(const SceneNode& node);
+
 }  // namespace etendue
