@@ -20,6 +20,7 @@
 #include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "solve_factors_command.hpp"
 #include "solve_report.hpp"
 #include "stop.hpp"
 
@@ -40,6 +41,7 @@ struct Request {
   double exposure =
       0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
   int samples = 3;
+  int steps = 100'000;
   bool certify = false;
   double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
@@ -121,8 +123,10 @@ Result<Done> check_room(const Request& request, std::size_t elements) {
 
 void declare(Options& options, Request& request) {
   options.argument("SCENE", "scene file (JSON)", request.scene);
-  options.choice("--solver", {"gauss", "eigen"}, "own Gaussian elimination or Eigen's LU (default: gauss)",
-                 request.solver);
+  options.also("--factors FILE --reflectance R --emission E [OPTIONS]");
+  options.choice("--solver", solver_choices(), kSolverHelp, request.solver);
+  options.integer("--steps", "N", "most steps of a solver that iterates (default: 100000)", request.steps, 1,
+                  1'000'000'000);
   options.real("--tolerance", "T", "relative error asked of form factors past obstructions (default: 1e-6)",
                request.tolerance, 1e-12, 0.1);
   options.flag("--certify", "find intervals that hold every exact radiosity, by enclosures of all form factors; slow",
@@ -137,22 +141,35 @@ void declare(Options& options, Request& request) {
   add_common(options, request.common,
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
              "NAME-radiosity where NAME.json is the scene)");
+  options.alias("-o", "--output");
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
       "With --certify NAME.json also holds two numbers for each element and channel between which its exact radiosity\n"
       "lies: proved, whatever the rounding. Where the form factors are known too loosely for that the exit code is 4.\n"
+      "Solvers that iterate go on until a proved bound on their error is below 1e-10 of the largest radiosity.\n"
       "Where form factors are less certain than --tolerance asks, everything is saved and the exit code is 4. After\n"
       "Ctrl-C what is done, rows of the form-factor matrix or channels, is saved as NAME.incomplete.json, once all is\n"
       "solved as NAME.json, and the exit code is 6.");
+  options.note(
+      "Without a scene, from form factors in a file: --factors FILE --reflectance R --emission E [--areas A]\n"
+      "[--solver S] [--certify] [--tolerance X] [--steps N] [--row-excess X] [--repair-closure] [--output FILE];\n"
+      "'etendue solve --factors --help' tells more.");
   options.example("etendue solve scenes/furnace/scene.json --output furnace.png");
   options.example("etendue solve scenes/furnace/scene.json --certify --output furnace-certified.png");
-  options.example("etendue solve scenes/furnace/scene.json --solver eigen --json --output furnace-eigen.png");
+  options.example("etendue solve scenes/furnace/scene.json --solver gmres --json --output furnace-gmres.png");
 }
 
 /// All files that this run may write.
 std::vector<fs::path> outputs(const Request& request) {
   return {named(request, ".exr"), named(request, ".png"), named(request, ".json"), named(request, ".incomplete.json")};
+}
+
+RadiosityGoal goal(const Request& request) {
+  RadiosityGoal wanted;
+  wanted.solver = *solver_named(request.solver);
+  wanted.most_steps = request.steps;
+  return wanted;
 }
 
 /// Adds the enclosures, or why there are none.
@@ -166,11 +183,9 @@ void certify(SolveReport& report, const Request& request, std::ostream& err) {
     report.not_certified = "stopped before all form factors were enclosed";
     return;
   }
-  Progress progress(err, "enclosed elimination", request.common);
-  auto enclosed =
-      solve_certified(report.file.scene, report.mesh, *report.certified,
-                      request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination,
-                      execution(request.common, progress));
+  Progress progress(err, "enclosed solve", request.common);
+  auto enclosed = solve_certified(report.file.scene, report.mesh, *report.certified, goal(request),
+                                  execution(request.common, progress));
   if (enclosed) {
     report.enclosure = std::move(enclosed).value();
   } else {
@@ -208,11 +223,9 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   }
   if (!report.matrix.complete) return report;
   report.closure = closure_report(report.mesh, report.matrix);
-  Progress progress(err, "elimination", request.common);
-  auto solution =
-      solve_scene_radiosity(report.file.scene, report.mesh, report.matrix,
-                            request.solver == "eigen" ? DirectSolver::eigen_lu : DirectSolver::gaussian_elimination,
-                            execution(request.common, progress));
+  Progress progress(err, "solve", request.common);
+  auto solution = solve_scene_radiosity(report.file.scene, report.mesh, report.matrix, goal(request),
+                                        execution(request.common, progress));
   if (!solution) return solution.error();
   report.solution = std::move(solution).value();
   if (request.certify && is_solved(report)) certify(report, request, err);
@@ -224,11 +237,17 @@ int stopped(std::ostream& err, const std::string& what) {
 }
 
 /// What to end with, all being saved: 4 where the form factors are less certain than was asked, and why.
-int judged(const SolveReport& report, std::ostream& err) {
+int judged(const SolveReport& report, const Request& request, std::ostream& err) {
   if (report.certified && !report.certified->complete) return stopped(err, "all but the enclosures was saved");
   if (!report.not_certified.empty()) {
     return fail(err, kName,
                 {ErrorCode::not_converged, "not certified: " + report.not_certified + "; all else was saved"});
+  }
+  if (!is_direct(goal(request).solver) && report.solution->status != RadiosityStatus::reached) {
+    return fail(err, kName,
+                {ErrorCode::not_converged, "solver " + request.solver + ": " + words(report.solution->status) +
+                                               " after " + std::to_string(report.solution->steps) +
+                                               " steps; all was saved with the bounds that were reached"});
   }
   if (report.matrix.missed.pairs == 0) return 0;
   return fail(err, kName, {ErrorCode::not_converged, missed_tolerance_text(report) + "; all was saved"});
@@ -237,10 +256,15 @@ int judged(const SolveReport& report, std::ostream& err) {
 }  // namespace
 
 int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
+  const auto without_scene = [](const std::string& word) {
+    return word == "--factors" || word.rfind("--factors=", 0) == 0;
+  };
+  if (std::any_of(arguments.begin(), arguments.end(), without_scene)) return solve_factors(arguments, out, err);
   Request request;
   Options options(kName, "Solve the radiosity equation of a scene, and show the result.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
+  if (request.solver == "eigen") request.solver = "lu";
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);
   if (!outcome) return fail(err, kName, outcome.error());
@@ -267,7 +291,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
     print_summary(out, report);
   }
   if (lost) return stopped(err, "there are no pictures; the radiosities are in " + quoted_path(report.json));
-  if (is_solved(report)) return judged(report, err);
+  if (is_solved(report)) return judged(report, request, err);
   return stopped(err, "what was done is in " + quoted_path(report.json));
 }
 

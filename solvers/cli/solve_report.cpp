@@ -159,6 +159,9 @@ Json summary(const SolveReport& report) {
   json["rows_done"] = rows_done(report);
   if (!report.solution) return json;
   json["closure"] = closure_json(report.closure);
+  if (report.solution->steps > 0) {
+    json["iteration"] = {{"status", words(report.solution->status)}, {"steps", report.solution->steps}};
+  }
   for (std::size_t c = 0; c < report.solution->solved; ++c) {
     json["channels"][kChannels[c]] = channel_summary(report.solution->channels[c]);
   }
@@ -298,6 +301,10 @@ void print_summary(std::ostream& out, const SolveReport& report) {
     return;
   }
   print_closure(out, report);
+  if (report.solution->steps > 0) {
+    out << "solver       " << report.solver << ": " << words(report.solution->status) << " after "
+        << report.solution->steps << " steps\n";
+  }
   for (std::size_t c = 0; c < report.solution->solved; ++c) {
     const ChannelRadiosity& channel = report.solution->channels[c];
     out << kChannels[c] << std::string(13 - std::string(kChannels[c]).size(), ' ') << "residual "

@@ -74,8 +74,8 @@ TEST(FormFactorMatrix, SolvesTheFurnaceToTwelveDigits) {
     const Scene scene = turned_furnace(rho, 3);
     const ElementMesh mesh = *mesh_elements(scene);
     const FormFactorMatrix matrix = assemble_form_factors(mesh, {}, {});
-    for (const DirectSolver solver : {DirectSolver::gaussian_elimination, DirectSolver::eigen_lu}) {
-      const auto solved = solve_scene_radiosity(scene, mesh, matrix, solver);
+    for (const RadiositySolver solver : {RadiositySolver::gaussian_elimination, RadiositySolver::eigen_lu}) {
+      const auto solved = solve_scene_radiosity(scene, mesh, matrix, {solver});
       ASSERT_TRUE(solved.ok());
       const double expected[] = {3 / (1 - rho), 3 / (1 - rho / 2), 3};
       for (std::size_t c = 0; c < 3; ++c) {

@@ -44,10 +44,10 @@ const FormFactorMatrix& coarse_factors() {
 }
 
 Solved solved(const Scene& scene) {
-  const auto solver = DirectSolver::gaussian_elimination;
+  const auto solver = RadiositySolver::gaussian_elimination;
   Solved result{*mesh_elements(scene), {}, {}};
   result.closure = closure_report(result.mesh, coarse_factors());
-  result.radiosity = solve_scene_radiosity(scene, result.mesh, coarse_factors(), solver).value();
+  result.radiosity = solve_scene_radiosity(scene, result.mesh, coarse_factors(), {solver}).value();
   return result;
 }
 

@@ -276,7 +276,7 @@ TEST(SolveCommand, ReportsTheFactsOfTheFurnace) {
   const Json report = Json::parse(read_text(folder.path() / "out.json")), printed = Json::parse(ended.out);
   EXPECT_TRUE(holds(report["status"] == "solved" && report["rows_done"] == 48 && report["exposure"] == 0.125));
   EXPECT_TRUE(holds(report["scene"]["name"] == "furnace" && report["scene"]["metres_per_unit"] == 1));
-  EXPECT_TRUE(holds(report["settings"]["solver"] == "eigen" && report["settings"]["tolerance_obstructed"] == 1e-6));
+  EXPECT_TRUE(holds(report["settings"]["solver"] == "lu" && report["settings"]["tolerance_obstructed"] == 1e-6));
   EXPECT_TRUE(holds(report["mesh"] == Json({{"faces", 6}, {"patches", 6}, {"elements", 48}})));
   EXPECT_TRUE(holds(printed["files"]["scene"] == scene.string() && printed["seconds"] > 0));
   for (const std::string kind : {"json", "exr", "png"}) {

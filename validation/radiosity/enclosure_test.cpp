@@ -12,7 +12,7 @@ namespace etendue::validation {
 namespace {
 
 constexpr std::uint64_t kSeed = 20261125;
-constexpr DirectSolver kSolvers[] = {DirectSolver::gaussian_elimination, DirectSolver::eigen_lu};
+constexpr RadiositySolver kSolvers[] = {RadiositySolver::gaussian_elimination, RadiositySolver::eigen_lu};
 
 /// Factors between two matrices; rows of the middle sum to at most 1, those of the upper one may exceed it.
 EnclosedRadiositySystem random_system(CounterRandom& random, int n, double width, double reflectance) {
@@ -68,7 +68,7 @@ TEST(RadiosityEnclosure, HoldsTheExactSolutionOfEverySystemInBetween) {
     for (const double reflectance : {0.3, 0.8, 1 / (1 + 0.2)}) {
       for (const int n : {2, 7}) {
         const EnclosedRadiositySystem system = random_system(random, n, width, reflectance * (1 - 0x1p-20));
-        for (const DirectSolver solver : kSolvers) {
+        for (const RadiositySolver solver : kSolvers) {
           const auto enclosure = enclose_radiosity(system, solver);
           ASSERT_TRUE(enclosure.ok()) << enclosure.error().message;
           for (int k = 0; k < 6; ++k) inside(*enclosure, within_enclosure(random, system, k % 2 == 0));
@@ -97,20 +97,20 @@ TEST(RadiosityEnclosure, RefusesFactorsThatAreKnownTooLoosely) {
   EnclosedRadiositySystem system{Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2),
                                  Eigen::VectorXd::Constant(2, 0.5), Eigen::VectorXd::Ones(2)};
   system.upper << 1, 0.75, 1, 1;  // Σ = 2 in row 1
-  const auto loose = enclose_radiosity(system, DirectSolver::gaussian_elimination);
+  const auto loose = enclose_radiosity(system, RadiositySolver::gaussian_elimination);
   ASSERT_FALSE(loose.ok());
   EXPECT_TRUE(holds(loose.error().code == ErrorCode::not_converged));
   EXPECT_TRUE(holds(loose.error().message.find("row 1: reflectance 0.5") != std::string::npos))
       << loose.error().message;
   system.reflectance(1) = 0.5 - 0x1p-40;
-  EXPECT_TRUE(holds(enclose_radiosity(system, DirectSolver::gaussian_elimination).ok()));
+  EXPECT_TRUE(holds(enclose_radiosity(system, RadiositySolver::gaussian_elimination).ok()));
   system.lower(0, 1) = 0.8;
-  const auto crossed = enclose_radiosity(system, DirectSolver::gaussian_elimination);
+  const auto crossed = enclose_radiosity(system, RadiositySolver::gaussian_elimination);
   ASSERT_FALSE(crossed.ok());
   EXPECT_TRUE(holds(crossed.error().code == ErrorCode::invalid_input));
   system.lower(0, 1) = 0;
   system.reflectance(0) = 1;
-  const auto mirror = enclose_radiosity(system, DirectSolver::gaussian_elimination);
+  const auto mirror = enclose_radiosity(system, RadiositySolver::gaussian_elimination);
   ASSERT_FALSE(mirror.ok());
   EXPECT_TRUE(holds(mirror.error().code == ErrorCode::invalid_input));
 }

@@ -14,7 +14,7 @@
 namespace etendue::validation {
 namespace {
 
-constexpr DirectSolver kSolvers[] = {DirectSolver::gaussian_elimination, DirectSolver::eigen_lu};
+constexpr RadiositySolver kSolvers[] = {RadiositySolver::gaussian_elimination, RadiositySolver::eigen_lu};
 
 struct Enclosure {
   RadiositySystem system;
@@ -56,7 +56,7 @@ TEST(RadiositySystem, TrueErrorStaysInsideTheReturnedBound) {
         Enclosure enclosure = random_enclosure(random, n, closure, rho);
         if (n == 5) enclosure.system.reflectance.setConstant(rho);  // nearly singular as a whole, not in one row
         const auto truth = exact_radiosity(enclosure.system);
-        for (const DirectSolver solver : kSolvers) {
+        for (const RadiositySolver solver : kSolvers) {
           const auto solution = solve_radiosity(enclosure.system, solver);
           ASSERT_TRUE(solution.ok()) << solution.error().message;
           EXPECT_TRUE(within(true_error(solution->radiosity, truth), solution->bound));
@@ -131,7 +131,7 @@ TEST(RadiositySystem, SolvesTheThreePatchesWrittenByHand) {
   };
   DenseVector<Rational> cramer(3);
   for (int k = 0; k < 3; ++k) cramer(k) = determinant(k) / determinant(-1);
-  for (const DirectSolver solver : kSolvers) {
+  for (const RadiositySolver solver : kSolvers) {
     const auto solution = solve_radiosity(system, solver);
     ASSERT_TRUE(solution.ok());
     EXPECT_TRUE(within(true_error(solution->radiosity, cramer), solution->bound));
@@ -150,7 +150,7 @@ TEST(RadiositySystem, KeepsThePowerBalanceOfEveryPatch) {
     const Enclosure enclosure = random_enclosure(random, 20, closure, 0.8);
     const RadiositySystem& system = enclosure.system;
     const Eigen::VectorXd& areas = enclosure.areas;
-    const auto solution = solve_radiosity(system, DirectSolver::gaussian_elimination);
+    const auto solution = solve_radiosity(system, RadiositySolver::gaussian_elimination);
     ASSERT_TRUE(solution.ok());
     const Eigen::VectorXd& b = solution->radiosity;
     const double slack = solution->bound * areas.sum() + 20 * reciprocity_defect(system.form_factors, areas) * b.sum() +
@@ -206,7 +206,7 @@ TEST(RadiositySystem, FillsAFurnaceWithEmissionOverOneMinusReflectance) {
       enclosure.system.emission.setConstant(3);
       const double expected = 3 / (1 - rho);
       const double closure = closure_defects(enclosure.system.form_factors).cwiseAbs().maxCoeff();
-      for (const DirectSolver solver : kSolvers) {
+      for (const RadiositySolver solver : kSolvers) {
         const auto solution = solve_radiosity(enclosure.system, solver);
         ASSERT_TRUE(solution.ok());
         const double error = (solution->radiosity.array() - expected).abs().maxCoeff();
@@ -228,7 +228,7 @@ TEST(RadiositySystem, RefusesAMirrorWhite) {
   EXPECT_TRUE(near(sum, 2500, 0));
   EXPECT_TRUE(std::isinf(1 / (1 - 1.0)));
   RadiositySystem system{Eigen::MatrixXd::Constant(2, 2, 0.5), Eigen::Vector2d(1, 1), Eigen::Vector2d(2.5, 2.5)};
-  for (const DirectSolver solver : kSolvers) {
+  for (const RadiositySolver solver : kSolvers) {
     system.reflectance = Eigen::Vector2d(0.5, 1);
     const auto refused = solve_radiosity(system, solver);
     ASSERT_FALSE(refused.ok());
@@ -245,7 +245,7 @@ TEST(RadiositySystem, RefusesBadDataNamingTheRow) {
   proves({"IU.6-9"}, Oracle::identity, "systems with one defect each");
   const RadiositySystem good{Eigen::MatrixXd::Constant(3, 3, 0.3), Eigen::Vector3d::Constant(0.5),
                              Eigen::Vector3d::Ones()};
-  ASSERT_TRUE(solve_radiosity(good, DirectSolver::gaussian_elimination).ok());
+  ASSERT_TRUE(solve_radiosity(good, RadiositySolver::gaussian_elimination).ok());
   std::vector<std::pair<RadiositySystem, std::string>> bad;
   const auto with = [&](const std::string& words) -> RadiositySystem& {
     bad.emplace_back(good, words);
@@ -267,7 +267,7 @@ TEST(RadiositySystem, RefusesBadDataNamingTheRow) {
   reflects_all.reflectance(1) = 0.75;
   with("there is no patch") = RadiositySystem{Eigen::MatrixXd(0, 0), Eigen::VectorXd(0), Eigen::VectorXd(0)};
   for (const auto& [system, words] : bad) {
-    const auto refused = solve_radiosity(system, DirectSolver::gaussian_elimination);
+    const auto refused = solve_radiosity(system, RadiositySolver::gaussian_elimination);
     ASSERT_FALSE(refused.ok()) << words;
     EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
     EXPECT_TRUE(holds(refused.error().message.find(words) != std::string::npos)) << refused.error().message;
@@ -283,11 +283,11 @@ TEST(RadiositySystem, LetsFormFactorsExceedOneByTheirErrorOnly) {
   system.form_factors << 0, 1, 1, 0;
   for (const double error : {0.0, Tolerance{}.relative, 1e-4}) {
     system.form_factors(0, 1) = 1 + error;
-    EXPECT_TRUE(holds(solve_radiosity(system, DirectSolver::gaussian_elimination, error).ok()));
+    EXPECT_TRUE(holds(solve_radiosity(system, RadiositySolver::gaussian_elimination, error).ok()));
     system.form_factors(0, 1) = (1 + error) * (1 + 4 * kUnitRoundoff);
-    EXPECT_TRUE(holds(!solve_radiosity(system, DirectSolver::gaussian_elimination, error).ok()));
+    EXPECT_TRUE(holds(!solve_radiosity(system, RadiositySolver::gaussian_elimination, error).ok()));
   }
-  EXPECT_TRUE(refuses([&] { static_cast<void>(solve_radiosity(system, DirectSolver::eigen_lu, std::nan(""))); }));
+  EXPECT_TRUE(refuses([&] { static_cast<void>(solve_radiosity(system, RadiositySolver::eigen_lu, std::nan(""))); }));
 }
 
 // CLAIM      IU.6-9: an emission so large that radiosities, or the sums that bound them, overflow is an invalid input,
@@ -298,7 +298,7 @@ TEST(RadiositySystem, RefusesEmissionsThatOverflow) {
   proves({"IU.6-9"}, Oracle::closed_form, "E/(1 − ρ²) near the largest double");
   RadiositySystem system{Eigen::MatrixXd(2, 2), Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(0, 0)};
   system.form_factors << 0, 1, 1, 0;
-  for (const DirectSolver solver : kSolvers) {
+  for (const RadiositySolver solver : kSolvers) {
     for (const double emission : {1e307, 1e308, std::numeric_limits<double>::max()}) {
       system.emission(1) = emission;
       const auto refused = solve_radiosity(system, solver);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "etendue/core/contract.hpp"
 
@@ -38,20 +39,34 @@ double reciprocity_defect(const Eigen::MatrixXd& form_factors, const Eigen::Vect
   return worst;
 }
 
+PowerBalance power_balance(const RadiosityEquation& equation, const RadiosityReport& solution, Eigen::Index channel) {
+  const Eigen::Index n = equation.emission.rows();
+  require(equation.areas.size() == n && solution.radiosity.rows() == n && solution.incident.rows() == n,
+          "power_balance: one area and one radiosity a patch");
+  require(channel >= 0 && channel < equation.emission.cols() && channel < solution.radiosity.cols(),
+          "power_balance: the channel exists");
+  const Eigen::VectorXd sums = row_sums(*equation.factors);
+  PowerBalance balance;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double area = equation.areas(i);
+    balance.emitted += area * equation.emission(i, channel);
+    balance.absorbed += area * (1 - equation.reflectance(i, channel)) * solution.incident(i, channel);
+    balance.escaped += area * solution.radiosity(i, channel) * (1 - sums(i));
+  }
+  balance.defect = balance.emitted - balance.absorbed - balance.escaped;
+  return balance;
+}
+
 PowerBalance power_balance(const RadiositySystem& system, const Eigen::VectorXd& areas,
                            const Eigen::VectorXd& radiosity) {
   const Eigen::Index n = system.form_factors.rows();
   require(areas.size() == n && radiosity.size() == n, "power_balance: one area and one radiosity a patch");
-  const Eigen::VectorXd closure = closure_defects(system.form_factors);
-  PowerBalance balance;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double incident = weighted_row_sum(system.form_factors, i, radiosity);
-    balance.emitted += areas(i) * system.emission(i);
-    balance.absorbed += areas(i) * (1 - system.reflectance(i)) * incident;
-    balance.escaped += areas(i) * radiosity(i) * closure(i);
-  }
-  balance.defect = balance.emitted - balance.absorbed - balance.escaped;
-  return balance;
+  const RadiosityEquation equation{
+      std::make_shared<DenseFactors>(system.form_factors), system.reflectance, system.emission, areas, {}};
+  RadiosityReport solution;
+  solution.radiosity = radiosity;
+  solution.incident = equation.factors->times(radiosity);
+  return power_balance(equation, solution, 0);
 }
 
 }  // namespace etendue

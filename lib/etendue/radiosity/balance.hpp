@@ -28,4 +28,8 @@ struct PowerBalance {
 [[nodiscard]] PowerBalance power_balance(const RadiositySystem& system, const Eigen::VectorXd& areas,
                                          const Eigen::VectorXd& radiosity);
 
+/// Of one channel of a solved equation with areas, from the irradiances that came with the solution.
+[[nodiscard]] PowerBalance power_balance(const RadiosityEquation& equation, const RadiosityReport& solution,
+                                         Eigen::Index channel);
+
 }  // namespace etendue

@@ -2,11 +2,14 @@
 #include "etendue/assembly/certified_radiosity.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "etendue/assembly/scene_radiosity.hpp"
+#include "etendue/assembly/schedule.hpp"
 #include "etendue/core/contract.hpp"
+#include "etendue/core/interval.hpp"
 
 namespace etendue {
 
@@ -76,27 +79,26 @@ CertifiedFactors certified_factors(const ElementMesh& mesh, const CertifiedGoals
 }
 
 Result<CertifiedRadiosity> solve_certified(const Scene& scene, const ElementMesh& mesh, const CertifiedFactors& factors,
-                                           DirectSolver solver, const Execution& execution) {
+                                           RadiosityGoal goal, const Execution& execution) {
   require(factors.complete, "solve_certified: all form factors are there");
-  static constexpr const char* kChannels[] = {"red", "green", "blue"};
   const std::size_t n = mesh.elements.size();
   CertifiedRadiosity result{std::vector<Rgb>(n, Rgb::Zero()), std::vector<Rgb>(n, Rgb::Zero()), {}, {}};
-  EnclosedRadiositySystem system{factors.lower, factors.upper, {}, {}};
-  const auto may_go_on = [&execution](Eigen::Index, Eigen::Index) { return !(execution.stop && *execution.stop); };
+  const Schedule schedule = on_threads(execution.threads);
+  const auto upper = std::make_shared<DenseFactors>(factors.upper, schedule);
+  const RadiosityEquation equation = radiosity_equation(scene, mesh, upper);
+  goal.may_go_on = [&execution](Eigen::Index, Eigen::Index) { return !(execution.stop && *execution.stop); };
+  const auto enclosed =
+      enclose_radiosity({std::make_shared<DenseFactors>(factors.lower, schedule), upper, equation.reflectance,
+                         equation.reflectance, equation.emission, equation.emission, equation.areas, equation.channels},
+                        goal);
+  if (!enclosed) return enclosed.error();
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
     const auto c = static_cast<std::size_t>(channel);
-    RadiositySystem of_channel = radiosity_system(scene, mesh, Eigen::MatrixXd(), channel);
-    system.reflectance = std::move(of_channel.reflectance);
-    system.emission = std::move(of_channel.emission);
-    const auto enclosed = enclose_radiosity(system, solver, may_go_on);
-    if (!enclosed) {
-      return Error{enclosed.error().code, std::string(kChannels[c]) + " channel: " + enclosed.error().message};
-    }
     for (std::size_t i = 0; i < n; ++i) {
       const auto row = static_cast<Eigen::Index>(i);
-      result.lower[i](channel) = enclosed->lower(row);
-      result.upper[i](channel) = enclosed->upper(row);
-      const double width = Interval(enclosed->lower(row), enclosed->upper(row)).width();
+      result.lower[i](channel) = enclosed->lower(row, channel);
+      result.upper[i](channel) = enclosed->upper(row, channel);
+      const double width = Interval(enclosed->lower(row, channel), enclosed->upper(row, channel)).width();
       if (i == 0 || width > result.widest[c]) {
         result.widest[c] = width;
         result.worst[c] = i;

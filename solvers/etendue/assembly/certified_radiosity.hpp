@@ -20,7 +20,7 @@ inline constexpr std::int64_t kCertifiedWork = 10'000;
 /// Of every factor half the width asked is `relative` of it, or of 1/n: a row's half widths then sum to 2 relative.
 [[nodiscard]] CertifiedGoals certified_goals(double relative, std::size_t elements);
 
-/// As kBytesAPair: beside the factors and bounds the two ends, in the system once more, one end, its matrix, the copy.
+/// As kBytesAPair: beside the factors and bounds the two ends, both by rows once more, a matrix, its copy, and one to spare.
 inline constexpr double kCertifiedBytesAPair = 9 * sizeof(double);
 
 /// Enclosures of all form factors of a scene.
@@ -47,9 +47,10 @@ struct CertifiedRadiosity {
 /// Encloses the exact solution of the discrete system of 6-9, the form factors being exact.          @eq IU.6-9
 ///
 /// Accuracy  proved, for ρ and E as the doubles of the scene: radiosity/NOTES.md §5
+/// Contract  goal.may_go_on is set here
 /// Errors    those of enclose_radiosity(), with the channel; ErrorCode::stopped
 [[nodiscard]] Result<CertifiedRadiosity> solve_certified(const Scene& scene, const ElementMesh& mesh,
-                                                         const CertifiedFactors& factors, DirectSolver solver,
+                                                         const CertifiedFactors& factors, RadiosityGoal goal,
                                                          const Execution& execution = {});
 
 }  // namespace etendue
