@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <random>
+#include <utility>
 
 #include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/assembly/sight.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/polygon_polygon.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
 
@@ -209,6 +211,76 @@ TEST(FormFactorMatrix, DecidesSightConservatively) {
   }
   for (const std::size_t count : kinds) EXPECT_GT(count, 0u);
   EXPECT_TRUE(all_agree(wrong, decided));
+}
+
+/// A room with a turned box in it: one object, or a polygon a face.
+struct BoxedRoom {
+  Scene whole, plates;
+};
+
+BoxedRoom boxed_room() {
+  BoxedRoom rooms{room_of({0, 0, 0}, {4, 3, 2}), {}};
+  for (auto& object : rooms.whole.objects) object.subdivision = {{2, 2}, {1, 1}};
+  rooms.plates = rooms.whole;
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  rooms.whole.objects.push_back({"box", Box{{2, 1.5, 1}, turn, {0.5, 0.4, 0.3}}, 0, {}});
+  const ElementMesh mesh = *mesh_elements(rooms.whole);
+  for (const Face& face : mesh.faces) {
+    if (face.object == 6) rooms.plates.objects.push_back({"plate", face.polygon, 0, {}});
+  }
+  return rooms;
+}
+
+/// Of the bodies between undecided pairs: solids, and all.
+std::pair<std::uint64_t, std::uint64_t> solids_met(const ElementMesh& mesh) {
+  const SightMap sights(mesh);
+  std::uint64_t solid = 0, all = 0;
+  for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+    for (std::size_t j = i + 1; j < mesh.elements.size(); ++j) {
+      for (const Blocker* body : sights.between(i, j).bodies) {
+        solid += body->is_solid();
+        ++all;
+      }
+    }
+  }
+  return {solid, all};
+}
+
+// CLAIM      IU.6-4: plates of several objects that close a convex solid block as that solid does. Where one is missing, or
+//            something inside could see, they stay plates, and what is inside sees what it saw.
+// ORACLE     metamorphic: the box as one object; inside, the free factor.
+// TOLERANCE  the bounds of both.
+TEST(FormFactorMatrix, JoinsPlatesThatCloseASolid) {
+  proves({"IU.6-4"}, Oracle::metamorphic, "a turned box as one object and as six, open, and with plates inside");
+  const BoxedRoom rooms = boxed_room();
+  const ElementMesh whole = *mesh_elements(rooms.whole), plates = *mesh_elements(rooms.plates);
+  const auto [solid, all] = solids_met(plates);
+  EXPECT_GT(all, 50u);
+  EXPECT_TRUE(all_agree(all - solid, all));
+  const FormFactorMatrix one = assemble_form_factors(whole, {}, {}), six = assemble_form_factors(plates, {}, {});
+  ASSERT_EQ(one.factors.rows(), six.factors.rows());
+  EXPECT_EQ(one.pairs.obstructed, six.pairs.obstructed);
+  for (Eigen::Index i = 0; i < one.factors.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      EXPECT_TRUE(near(six.factors(i, j), one.factors(i, j), six.bounds(i, j) + one.bounds(i, j)));
+    }
+  }
+
+  Scene open = rooms.plates;
+  open.objects.pop_back();
+  EXPECT_EQ(solids_met(*mesh_elements(open)).first, 0u);
+
+  Scene inhabited = rooms.plates;
+  const Polygon lower = quadrilateral({1.9, 1.4, 0.95}, {2.1, 1.4, 0.95}, {2.1, 1.6, 0.95}, {1.9, 1.6, 0.95});
+  const Polygon upper = quadrilateral({1.9, 1.4, 1.05}, {1.9, 1.6, 1.05}, {2.1, 1.6, 1.05}, {2.1, 1.4, 1.05});
+  inhabited.objects.push_back({"lower", lower, 0, {}});
+  inhabited.objects.push_back({"upper", upper, 0, {}});
+  const ElementMesh inside = *mesh_elements(inhabited);
+  EXPECT_EQ(solids_met(inside).first, 0u);
+  const FormFactorMatrix seen = assemble_form_factors(inside, {}, {});
+  const Eigen::Index last = seen.factors.rows() - 1;
+  const Bounded free = form_factor(lower, upper);
+  EXPECT_TRUE(near(seen.factors(last - 1, last), free.value, free.bound + seen.bounds(last - 1, last)));
 }
 
 }  // namespace

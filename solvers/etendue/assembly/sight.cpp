@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "etendue/assembly/shells.hpp"
 #include "etendue/core/rounding.hpp"
 
 namespace etendue {
@@ -103,35 +104,72 @@ SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
   }
   double largest = 0;
   for (const Face& face : mesh.faces) {
-    for (const Vec3& vertex : face.polygon.vertices()) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    const std::vector<Vec3>& v = face.polygon.vertices();
+    inward_.emplace_back();
+    for (std::size_t k = 0; k < v.size(); ++k) {
+      largest = std::max(largest, v[k].cwiseAbs().maxCoeff());
+      inward_.back().push_back(face.polygon.normal().cross(v[(k + 1) % v.size()] - v[k]).normalized());
+    }
   }
   slack_ = kHeightRoundings * kUnitRoundoff * largest;
   gather_bodies();
 }
 
+// Solids first by objects, then by what closes one together; what is left blocks face by face.
 void SightMap::gather_bodies() {
-  for (std::size_t first = 0; first < mesh_.faces.size();) {
-    std::size_t last = first;
-    std::vector<Polygon> faces;
-    while (last < mesh_.faces.size() && mesh_.faces[last].object == mesh_.faces[first].object) {
-      faces.push_back(mesh_.faces[last++].polygon);
-    }
-    std::optional<Blocker> solid;
-    if (faces.size() <= kMostFaces) solid = Blocker::solid(faces);
-    if (solid) {
-      add_body(first, last, *std::move(solid));
-    } else {
-      for (std::size_t f = first; f < last; ++f) add_body(f, f + 1, Blocker::plate(mesh_.faces[f].polygon));
-    }
-    first = last;
+  const std::size_t count = mesh_.faces.size();
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t first = 0, last = 0; first < count; first = last) {
+    groups.emplace_back();
+    while (last < count && mesh_.faces[last].object == mesh_.faces[first].object) groups.back().push_back(last++);
+  }
+  const std::vector<Polygon> polygons = welded(mesh_.faces, slack_);
+  for (std::vector<std::size_t>& shell : closed_shells(polygons)) groups.push_back(std::move(shell));
+  std::vector<char> taken(count, 0);
+  for (const std::vector<std::size_t>& group : groups) {
+    const auto is_taken = [&](std::size_t f) { return taken[f] != 0; };
+    if (std::any_of(group.begin(), group.end(), is_taken)) continue;
+    if (!add_solid(group, polygons)) continue;
+    for (const std::size_t f : group) taken[f] = 1;
+  }
+  for (std::size_t f = 0; f < count; ++f) {
+    if (taken[f] == 0) add_body(std::span(&f, 1), Blocker::plate(mesh_.faces[f].polygon));
   }
 }
 
+// Inside a solid there is no light; several objects that close a room of their own are no solid.
+bool SightMap::add_solid(std::span<const std::size_t> faces, const std::vector<Polygon>& welded_faces) {
+  if (faces.size() > kMostFaces) return false;
+  std::vector<Polygon> polygons;
+  for (const std::size_t f : faces) polygons.push_back(welded_faces[f]);
+  std::optional<Blocker> solid = Blocker::solid(polygons);
+  if (!solid) return false;
+  const std::size_t before = bodies_.size();
+  add_body(faces, *std::move(solid));
+  const bool one_object = mesh_.faces[faces.front()].object == mesh_.faces[faces.back()].object;
+  if (one_object || bodies_.size() == before || !reached_into(bodies_.back())) return true;
+  bodies_.pop_back();
+  blockers_.pop_back();
+  return false;
+}
+
+/// Whether an element may reach into a solid.
+bool SightMap::reached_into(const Body& body) const {
+  for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+    const Polygon& polygon = mesh_.elements[e].polygon;
+    const auto beyond = [&](std::size_t face) { return heights(mesh_.faces[face].polygon, polygon).low >= -slack_; };
+    if (std::any_of(body.planes.begin(), body.planes.end(), beyond)) continue;
+    const Ball& ball = element_balls_[e];
+    if (!separated(body, {polygon, polygon, ball, ball, element_bounds_[e]})) return true;
+  }
+  return false;
+}
+
 // A face with all elements on one side of its plane blocks nothing: the walls of a convex room cost nothing from here on.
-void SightMap::add_body(std::size_t first, std::size_t last, Blocker blocker) {
+void SightMap::add_body(std::span<const std::size_t> faces, Blocker blocker) {
   constexpr double kParallel = 0x1p-20;  // saves axes that say the same; which ones are tried proves nothing
   Body body;
-  for (std::size_t f = first; f < last; ++f) {
+  for (const std::size_t f : faces) {
     Range range;
     for (const Element& element : mesh_.elements) {
       const Range one = heights(mesh_.faces[f].polygon, element.polygon);
@@ -289,8 +327,7 @@ bool SightMap::hides_all(std::size_t face, const Pair& pair) const {
       const double q_height = height(blocker, q);
       const Vec3 crossing = (q_height * p - p_height * q) / (q_height - p_height);
       for (std::size_t k = 0; k < v.size(); ++k) {
-        const Vec3 inward = blocker.normal().cross(v[(k + 1) % v.size()] - v[k]).normalized();
-        if (inward.dot(crossing - v[k]) < slack_) return false;
+        if (inward_[face][k].dot(crossing - v[k]) < slack_) return false;
       }
     }
   }

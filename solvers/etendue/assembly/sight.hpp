@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "etendue/form_factor/blocker.hpp"
@@ -19,9 +20,10 @@ enum class Sight {
 
 struct SightLine {
   Sight sight = Sight::averted;
-  std::vector<std::size_t> blockers;   ///< indices into ElementMesh::faces; empty unless undecided
-  std::vector<const Blocker*> bodies;  ///< the same as solids, where a whole object is one, else as plates; they live
-                                       ///< in the SightMap
+  std::vector<std::size_t> blockers;  ///< indices into ElementMesh::faces; empty unless undecided
+  std::vector<const Blocker*>
+      bodies;  ///< the same as solids, where an object or several close one, else as plates; they
+               ///< live in the SightMap
 };
 
 /// Which faces of a scene can stand between which elements.
@@ -58,7 +60,9 @@ class SightMap {
   struct Pair;
 
   void gather_bodies();
-  void add_body(std::size_t first, std::size_t last, Blocker blocker);
+  bool add_solid(std::span<const std::size_t> faces, const std::vector<Polygon>& welded_faces);
+  void add_body(std::span<const std::size_t> faces, Blocker blocker);
+  bool reached_into(const Body& body) const;
   bool stands_between(const Body& body, const Pair& pair) const;
   bool separated(const Body& body, const Pair& pair) const;
   bool splits(std::size_t face, const Pair& pair) const;
@@ -67,7 +71,8 @@ class SightMap {
   const ElementMesh& mesh_;
   double slack_ = 0;
   std::vector<Blocker> blockers_;
-  std::vector<Body> bodies_;  ///< in the order of their faces; those that can never block are left out
+  std::vector<Body> bodies_;               ///< solids, then single faces; those that can never block are left out
+  std::vector<std::vector<Vec3>> inward_;  ///< of each face's edges, across them, of length one
   std::vector<Bounds> element_bounds_;
   std::vector<Ball> element_balls_;
 };
