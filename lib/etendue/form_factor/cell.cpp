@@ -83,6 +83,7 @@ bool crosses(const CriticalLine& line, const Cell& cell) {
     below = std::min(below, h);
     above = std::max(above, h);
   }
+  if (!(below < 0 && above > 0)) return false;
   const double reach = cell.reach();
   if (std::min(-below, above) <= kTouch * reach) return false;
   double first = std::numeric_limits<double>::infinity(), last = -first;
@@ -99,6 +100,7 @@ bool crosses(const CriticalLine& line, const Cell& cell) {
 
 std::vector<Cell> cells_between(std::span<const Vec2> zone, std::span<const CriticalLine> lines) {
   std::vector<Cell> cells = Cell::from(zone);
+  cells.reserve(cells.size() + 2 * lines.size());
   for (const CriticalLine& line : lines) {
     const std::size_t before = cells.size();
     for (std::size_t i = 0; i < before; ++i) {

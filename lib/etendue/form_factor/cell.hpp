@@ -23,6 +23,7 @@ class Cell {
 
   int size() const { return size_; }
   const Vec2& operator[](int i) const { return corners_[static_cast<std::size_t>(i)]; }
+  std::span<const Vec2> corners() const { return {corners_.data(), static_cast<std::size_t>(size_)}; }
   double area() const;
   Vec2 centre() const;
   /// No corner is farther than this from the first.

@@ -49,22 +49,33 @@ const Rule& rule_of(int n) {
   return rules[static_cast<std::size_t>(n)];
 }
 
+/// The nodes of a quadrilateral, and by how much the area stretches there.
+struct Nodes {
+  std::array<Vec2, kMost * kMost> point;
+  std::array<double, kMost * kMost> jacobian, factor;
+};
+
 /// Over the quadrilateral c0 c1 c2 c3; a triangle repeats its first corner, on which the rule then collapses.
-void add(ShadowView& view, Integrand integrand, const Vec2& c0, const Vec2& c1, const Vec2& c2, const Vec2& c3,
-         const Rule& rule, CellSum& sum) {
-  const auto want = integrand == Integrand::hidden ? ShadowView::Want::hidden : ShadowView::Want::both;
+void add(const CellView& view, const Vec2& c0, const Vec2& c1, const Vec2& c2, const Vec2& c3, const Rule& rule,
+         CellSum& sum) {
   const Vec2 du = c1 - c0, dv = c3 - c0, duv = c2 - c1 - c3 + c0;
-  std::array<double, kMost> across{};
-  std::array<double, 2> tails{};
-  for (std::size_t i = 0; i < rule.n; ++i) {
-    double along = 0;
-    for (std::size_t j = 0; j < rule.n; ++j) {
+  const std::size_t n = rule.n;
+  Nodes nodes;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
       const double u = rule.x[i], v = rule.x[j];
       const Vec2 along_u = du + v * duv, along_v = dv + u * duv;
-      const double jacobian = std::abs(along_u.x() * along_v.y() - along_u.y() * along_v.x());
-      const ShadowView::Seen seen = view.from(c0 + u * along_u + v * dv, want);
-      const double f = integrand == Integrand::hidden ? seen.hidden : seen.free - seen.hidden;
-      const double density = jacobian * f;
+      nodes.jacobian[i * n + j] = std::abs(along_u.x() * along_v.y() - along_u.y() * along_v.x());
+      nodes.point[i * n + j] = c0 + u * along_u + v * dv;
+    }
+  }
+  view.look({nodes.point.data(), n * n}, {nodes.factor.data(), n * n});
+  std::array<double, kMost> across{};
+  std::array<double, 2> tails{};
+  for (std::size_t i = 0; i < n; ++i) {
+    double along = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double f = nodes.factor[i * n + j], density = nodes.jacobian[i * n + j] * f;
       sum.value += rule.weight[i] * rule.weight[j] * density;
       along += rule.top[j] * density;
       across[j] += rule.top[i] * density;
@@ -73,10 +84,10 @@ void add(ShadowView& view, Integrand integrand, const Vec2& c0, const Vec2& c1, 
     }
     tails[1] = std::max(tails[1], std::abs(along));
   }
-  for (std::size_t j = 0; j < rule.n; ++j) tails[0] = std::max(tails[0], std::abs(across[j]));
+  for (std::size_t j = 0; j < n; ++j) tails[0] = std::max(tails[0], std::abs(across[j]));
   sum.tail += std::max(tails[0], tails[1]);
   sum.tails = tails;
-  sum.evaluations += static_cast<int>(rule.n * rule.n);
+  sum.evaluations += static_cast<int>(n * n);
 }
 
 /// The corner of the cell that a point comes near, compared with the cell's size; or −1.
@@ -98,18 +109,35 @@ int singular_corner(const Cell& cell, std::span<const Vec3> near) {
 
 }  // namespace
 
-CellSum integrate(ShadowView& view, Integrand integrand, const Cell& cell, std::span<const Vec3> near, int n) {
+void CellView::look(std::span<const Vec2> points, std::span<double> factors) const {
+  const bool hidden = integrand_ == Integrand::hidden;
+  if (!formed_) {
+    const auto want = hidden ? ShadowView::Want::hidden : ShadowView::Want::both;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const ShadowView::Seen seen = view_.from(points[k], want);
+      factors[k] = hidden ? seen.hidden : seen.free - seen.hidden;
+    }
+    return;
+  }
+  std::fill(factors.begin(), factors.end(), 0.0);
+  add_factors(view_.edges(), form_, points, factors);
+  if (hidden) return;
+  for (double& factor : factors) factor = -factor;
+  add_factors(view_.edges(), view_.receiver_form(), points, factors);
+}
+
+CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> near, int n) {
   CellSum sum;
   const Rule& rule = rule_of(n);
   const int apex = singular_corner(cell, near), size = cell.size();
   const auto corner = [&](int i) -> const Vec2& { return cell[(std::max(apex, 0) + i) % size]; };
   if (apex >= 0) {
-    for (int i = 1; i + 1 < size; ++i) add(view, integrand, corner(0), corner(i), corner(i + 1), corner(0), rule, sum);
+    for (int i = 1; i + 1 < size; ++i) add(view, corner(0), corner(i), corner(i + 1), corner(0), rule, sum);
     sum.tails = {};
     return sum;
   }
   for (int i = 1; i + 1 < size; i += 2) {
-    add(view, integrand, corner(0), corner(i), corner(i + 1), corner(i + 2 < size ? i + 2 : 0), rule, sum);
+    add(view, corner(0), corner(i), corner(i + 1), corner(i + 2 < size ? i + 2 : 0), rule, sum);
   }
   if (size != 4) sum.tails = {};
   return sum;

@@ -11,6 +11,23 @@ namespace etendue {
 /// What is integrated over the source: the factor of what is hidden, or of what is seen.
 enum class Integrand { hidden, visible };
 
+/// The integrand at points of a cell.
+class CellView {
+ public:
+  /// The receiver is cut anew at every point.
+  CellView(ShadowView& view, Integrand integrand) : view_(view), integrand_(integrand) {}
+  /// By the form that a survey of the cell has found, many points at once.
+  CellView(ShadowView& view, Integrand integrand, std::span<const ViewCorner> form)
+      : view_(view), integrand_(integrand), form_(form), formed_(true) {}
+  void look(std::span<const Vec2> points, std::span<double> factors) const;
+
+ private:
+  ShadowView& view_;
+  Integrand integrand_;
+  std::span<const ViewCorner> form_;
+  bool formed_ = false;
+};
+
 /// A Gauss rule's sum over a cell, and what it met.
 struct CellSum {
   double value = 0;
@@ -26,7 +43,6 @@ struct CellSum {
 
 /// Integrates over the cell with n × n nodes a quadrilateral. Where a corner of a loop touches the cell or comes near,
 /// the integrand depends on the direction from there: triangles collapsed into that corner make it smooth again.
-[[nodiscard]] CellSum integrate(ShadowView& view, Integrand integrand, const Cell& cell, std::span<const Vec3> near,
-                                int n);
+[[nodiscard]] CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> near, int n);
 
 }  // namespace etendue

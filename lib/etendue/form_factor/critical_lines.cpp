@@ -7,32 +7,23 @@
 #include <cstddef>
 #include <limits>
 
+#include "etendue/form_factor/view_side.hpp"
+
 namespace etendue {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// det(a − x, b − x, c − x) for x in the plane z = 0: an affine function of x.
-struct Side {
-  Vec2 gradient;
-  double constant;
-  double at(const Vec2& x) const { return constant + gradient.dot(x); }
-};
-
-Side side_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 normal = (b - a).cross(c - a);
-  return {-normal.head<2>(), normal.dot(a)};
-}
-
 class Collector {
  public:
   Collector(std::span<const Vec3> receiver, const SightZone& zone) : receiver_(receiver), zone_(zone) {
+    lines_.reserve(16);
     Vec2 centre = Vec2::Zero();
     for (const Vec2& v : zone.corners) centre += v / static_cast<double>(zone.corners.size());
     for (std::size_t i = 0; i < receiver.size() && receiver_is_convex_; ++i) {
-      const Side corner =
-          side_of(receiver[i], receiver[(i + 1) % receiver.size()], receiver[(i + 2) % receiver.size()]);
+      const ViewSide corner =
+          view_side(receiver[i], receiver[(i + 1) % receiver.size()], receiver[(i + 2) % receiver.size()]);
       receiver_is_convex_ = corner.at(centre) <= 0;
     }
   }
@@ -63,10 +54,11 @@ class Collector {
 
   void add(const Corner& corner, const Vec3& a, const Vec3& b, bool past) {
     const Vec3 normal = (a - corner.at).cross(b - corner.at);
+    const double level = normal.dot(corner.at);
+    // Coincident points, and planes that never meet the source's, drop out, too.
+    if (!meets_zone(normal.head<2>(), level)) return;
     const double size = normal.head<2>().norm();
-    if (!(size > 0)) return;  // coincident points, or a plane that never meets the source's
-    CriticalLine line{normal.head<2>() / size, normal.dot(corner.at) / size, kInfinity, -kInfinity};
-    if (!meets_zone(line)) return;
+    CriticalLine line{normal.head<2>() / size, level / size, kInfinity, -kInfinity};
     extend(line, corner.at, a, b);
     extend(line, corner.at, b, a);
     if (past && receiver_is_convex_) clip_past(line, corner, normal);
@@ -106,7 +98,7 @@ class Collector {
       double first = kInfinity, last = -kInfinity;
       for (std::size_t k = 0; k < count; ++k) {
         // Seen from the source the receiver runs clockwise: inside, the corner lies on the negative side.
-        const Side side = side_of(receiver_[i], receiver_[(i + 1) % receiver_.size()], points[k]);
+        const ViewSide side = view_side(receiver_[i], receiver_[(i + 1) % receiver_.size()], points[k]);
         const double at_foot = side.at(foot), slope = side.gradient.dot(direction);
         if (slope > 0 || (slope == 0 && at_foot <= 0)) first = -kInfinity;
         if (slope < 0 || (slope == 0 && at_foot <= 0)) last = kInfinity;
@@ -130,17 +122,18 @@ class Collector {
     }
   }
 
-  bool meets_zone(const CriticalLine& line) const {
-    double below = 0, above = 0;
+  bool meets_zone(const Vec2& normal, double level) const {
+    bool below = false, above = false;
     for (const Vec2& v : zone_.corners) {
-      below = std::min(below, line.height(v));
-      above = std::max(above, line.height(v));
+      const double height = normal.dot(v) - level;
+      below = below || height < 0;
+      above = above || height > 0;
     }
-    return below < 0 && above > 0;
+    return below && above;
   }
 
   void keep(const CriticalLine& line) {
-    if (!meets_zone(line)) return;
+    if (!meets_zone(line.normal, line.level)) return;
     double first = kInfinity, last = -kInfinity;
     for (const Vec2& v : zone_.corners) {
       first = std::min(first, line.along(v));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "etendue/core/rounding.hpp"
 
@@ -100,100 +101,151 @@ std::size_t after(std::size_t i, std::size_t size) {
   return i + 1 < size ? i + 1 : 0;
 }
 
-/// The sides of the corners of one loop of the edges of another.
-class Sides {
- public:
-  Sides(std::span<const Vec3> corners, std::span<const Vec3> loop, const Cell& cell) : edges_(loop.size()) {
-    const double reach = cell.reach();
-    signs_.reserve(corners.size() * loop.size());
-    for (std::size_t j = 0; j < loop.size(); ++j) {
-      bool outside = true;
-      for (const Vec3& corner : corners) {
-        signs_.push_back(side(loop[j], loop[after(j, loop.size())], corner, cell, reach));
-        outside = outside && signs_.back() < 0;
-      }
-      apart_ = apart_ || outside;
-    }
+/// 1 or −1 where that is the sign at all corners, those within `off` being on either side; else 0.
+template <typename Corners>
+signed char sign_over(const ViewSide& side, const Corners& corners, std::size_t count, double off) {
+  bool positive = true, negative = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double height = side.at(corners(k));
+    positive = positive && height >= -off;
+    negative = negative && height <= off;
   }
-  /// Whether all corners lie outside of one edge, from all of the cell.
-  bool apart() const { return apart_; }
-  /// Whether the ends of the corners' edge i lie on one side of edge j from all of the cell.
-  bool beside(std::size_t i, std::size_t j) const {
-    const std::size_t corners = signs_.size() / edges_;
-    const int start = signs_[j * corners + i], end = signs_[j * corners + after(i, corners)];
-    return start != 0 && start == end;
-  }
-
- private:
-  std::size_t edges_;
-  std::vector<int> signs_;
-  bool apart_ = false;
-};
-
-/// Pairs of edges of two loops that may cross in the view.
-struct Crossings {
-  /// `second` is an outline: seen from the cell, it is the same way round as a convex region.
-  Crossings(std::span<const Vec3> first, std::span<const Vec3> second, const Cell& cell) : size(second.size()) {
-    const Sides there(first, second, cell);
-    if (there.apart()) {
-      may.assign(first.size() * second.size(), false);
-      return;
-    }
-    const Sides back(second, first, cell);
-    for (std::size_t i = 0; i < first.size(); ++i) {
-      for (std::size_t j = 0; j < second.size(); ++j) may.push_back(!there.beside(i, j) && !back.beside(j, i));
-    }
-  }
-  bool operator()(std::size_t i, std::size_t j) const { return may[i * size + j]; }
-  bool any() const { return std::find(may.begin(), may.end(), true) != may.end(); }
-  std::size_t size;
-  std::vector<bool> may;
-};
-
-EventCurve::Edge edge(std::span<const Vec3> loop, std::size_t i) {
-  return {loop[i], loop[after(i, loop.size())]};
-}
-
-/// Of edges of `third` with the pairs of `first` and `second` that cross one another.
-void add_curves(std::span<const Vec3> first, std::span<const Vec3> second, const Crossings& pairs,
-                std::span<const Vec3> third, const Cell& cell, std::vector<EventCurve>& curves) {
-  const Crossings with_first(third, first, cell);
-  if (!with_first.any()) return;
-  const Crossings with_second(third, second, cell);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    for (std::size_t j = 0; j < second.size(); ++j) {
-      if (!pairs(i, j)) continue;
-      for (std::size_t k = 0; k < third.size(); ++k) {
-        if (!with_first(k, i) || !with_second(k, j)) continue;
-        const EventCurve curve(edge(third, k), edge(first, i), edge(second, j));
-        if (curve.may_cross(cell)) curves.push_back(curve);
-      }
-    }
-  }
+  return static_cast<signed char>(positive == negative ? 0 : positive ? 1 : -1);
 }
 
 }  // namespace
 
-std::vector<EventCurve> event_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines,
-                                     const Cell& cell) {
-  std::vector<EventCurve> curves;
-  // Outlines past which all of the receiver is seen, from all of the cell, hide nothing that counts.
-  std::vector<std::span<const Vec3>> hiding;
-  if (outlines.size() < 2) return curves;
-  for (const Outline& outline : outlines) {
-    if (!Sides(receiver, outline, cell).apart()) hiding.push_back(outline);
+/// What is told of the sides from all of a zone, or of a cell.
+class EventCurves::View {
+ public:
+  explicit View(const EventCurves& all) : all_(all), signs_(all.signs_) {}
+  View(const EventCurves& all, const Cell& cell) : View(all) {
+    cell_ = &cell;
+    reach_ = cell.reach();
+    for (signed char& sign : signs_) sign = sign == 0 ? kUnknown : sign;
+    hides_.assign(all.loops_.size(), kUnknown);
   }
-  for (std::size_t i = 0; i < hiding.size(); ++i) {
-    for (std::size_t j = i + 1; j < hiding.size(); ++j) {
-      const Crossings pairs(hiding[i], hiding[j], cell);
-      if (!pairs.any()) continue;
-      add_curves(hiding[i], hiding[j], pairs, receiver, cell, curves);
-      for (std::size_t k = j + 1; k < hiding.size(); ++k) {
-        add_curves(hiding[i], hiding[j], pairs, hiding[k], cell, curves);
+
+  /// Outlines past which all of the receiver is seen hide nothing that counts.
+  bool hides(std::size_t loop) const {
+    if (loop == 0 || cell_ == nullptr) return true;
+    if (hides_[loop] == kUnknown) hides_[loop] = outside(0, loop) ? 0 : 1;
+    return hides_[loop] != 0;
+  }
+
+  /// Whether two edges may cross in the view.
+  bool cross(const Edge& one, const Edge& other) const { return !beside(one, other) && !beside(other, one); }
+
+  /// Whether two loops lie beside one another in the view. An outline is the same way round as a convex region.
+  bool apart(std::size_t one, std::size_t other) const {
+    return (other > 0 && outside(one, other)) || (one > 0 && outside(other, one));
+  }
+
+ private:
+  static constexpr signed char kUnknown = 2;
+
+  std::size_t size(std::size_t loop) const { return all_.loops_[loop].size(); }
+
+  signed char sign(std::size_t edges, std::size_t j, std::size_t corners, std::size_t corner) const {
+    const std::size_t index = all_.tables_[edges * all_.loops_.size() + corners] + j * size(corners) + corner;
+    if (signs_[index] == kUnknown) {
+      const ViewSide& side = all_.sides_[index];
+      const auto at = [&](std::size_t k) -> const Vec2& { return (*cell_)[static_cast<int>(k)]; };
+      signs_[index] =
+          sign_over(side, at, static_cast<std::size_t>(cell_->size()), kTouch * reach_ * side.gradient.norm());
+    }
+    return signs_[index];
+  }
+
+  /// Whether all corners of a loop lie outside of one edge of an outline.
+  bool outside(std::size_t loop, std::size_t outline) const {
+    for (std::size_t j = 0; j < size(outline); ++j) {
+      bool all = true;
+      for (std::size_t c = 0; c < size(loop) && all; ++c) all = sign(outline, j, loop, c) < 0;
+      if (all) return true;
+    }
+    return false;
+  }
+
+  /// Whether the ends of `edge` lie on one side of `other`.
+  bool beside(const Edge& edge, const Edge& other) const {
+    const signed char start = sign(other.loop, other.index, edge.loop, edge.index);
+    return start != 0 && start == sign(other.loop, other.index, edge.loop, after(edge.index, size(edge.loop)));
+  }
+
+  const EventCurves& all_;
+  const Cell* cell_ = nullptr;
+  double reach_ = 0;
+  mutable std::vector<signed char> signs_;  ///< found when they are asked for
+  mutable std::vector<signed char> hides_;
+};
+
+EventCurves::EventCurves(std::span<const Vec3> receiver, const SightZone& zone) {
+  if (zone.outlines.size() < 2) return;
+  loops_.push_back(receiver);
+  for (const Outline& outline : zone.outlines) loops_.push_back(outline);
+  tables_.assign(loops_.size() * loops_.size(), 0);
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      add_table(i, j, zone.corners);
+      add_table(j, i, zone.corners);
+    }
+  }
+  find_triples(View(*this));
+}
+
+void EventCurves::add_table(std::size_t edges, std::size_t corners, std::span<const Vec2> zone) {
+  tables_[edges * loops_.size() + corners] = sides_.size();
+  const auto at = [&](std::size_t k) -> const Vec2& { return zone[k]; };
+  for (std::size_t j = 0; j < loops_[edges].size(); ++j) {
+    for (const Vec3& corner : loops_[corners]) {
+      sides_.push_back(view_side(loops_[edges][j], loops_[edges][after(j, loops_[edges].size())], corner));
+      signs_.push_back(sign_over(sides_.back(), at, zone.size(), 0));
+    }
+  }
+}
+
+void EventCurves::find_triples(const View& view) {
+  const std::size_t count = loops_.size();
+  for (std::size_t first = 1; first < count; ++first) {
+    for (std::size_t second = first + 1; second < count; ++second) {
+      if (view.apart(first, second)) continue;
+      std::vector<std::pair<Edge, Edge>> pairs;
+      for (std::size_t i = 0; i < loops_[first].size(); ++i) {
+        for (std::size_t j = 0; j < loops_[second].size(); ++j) {
+          if (view.cross({first, i}, {second, j})) pairs.push_back({{first, i}, {second, j}});
+        }
+      }
+      for (std::size_t third = 0; third < count && !pairs.empty(); third = std::max(third, second) + 1) {
+        if (view.apart(third, first) || view.apart(third, second)) continue;
+        for (std::size_t k = 0; k < loops_[third].size(); ++k) {
+          for (const auto& [one, other] : pairs) {
+            const Edge edge{third, k};
+            if (view.cross(edge, one) && view.cross(edge, other)) triples_.push_back({one, other, edge});
+          }
+        }
       }
     }
   }
-  return curves;
+}
+
+EventCurve::Edge EventCurves::ends(const Edge& edge) const {
+  const std::span<const Vec3> loop = loops_[edge.loop];
+  return {loop[edge.index], loop[after(edge.index, loop.size())]};
+}
+
+std::vector<EventCurve> EventCurves::across(const Cell& cell) const {
+  std::vector<EventCurve> found;
+  if (triples_.empty()) return found;
+  const View view(*this, cell);
+  for (const auto& [first, second, third] : triples_) {
+    if (!view.hides(first.loop) || !view.hides(second.loop) || !view.hides(third.loop)) continue;
+    if (!view.cross(first, second) || !view.cross(third, first) || !view.cross(third, second)) continue;
+    if (view.apart(first.loop, second.loop)) continue;
+    const EventCurve curve(ends(third), ends(first), ends(second));
+    if (curve.may_cross(cell)) found.push_back(curve);
+  }
+  return found;
 }
 
 }  // namespace etendue

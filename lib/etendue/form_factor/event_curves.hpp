@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "etendue/form_factor/cell.hpp"
+#include "etendue/form_factor/view_side.hpp"
 
 namespace etendue {
 
@@ -28,9 +29,31 @@ class EventCurve {
   Edge edges_[3];
 };
 
-/// The curves that may cross the cell: of all edges that may cross one another, pairwise, as seen from some point of it.
-/// Whether two may is settled by the ends of either over the plane of the other, affine functions on the cell.
-[[nodiscard]] std::vector<EventCurve> event_curves(std::span<const Vec3> receiver, std::span<const Outline> outlines,
-                                                   const Cell& cell);
+/// The curves that may cross the cells of a zone: of all edges that may cross one another, pairwise, as seen from some
+/// point of the cell. Whether two may is settled by the ends of either over the plane of the other, affine functions.
+class EventCurves {
+ public:
+  EventCurves(std::span<const Vec3> receiver, const SightZone& zone);
+  [[nodiscard]] std::vector<EventCurve> across(const Cell& cell) const;
+
+ private:
+  struct Edge {
+    std::size_t loop, index;
+  };
+  struct Triple {
+    Edge first, second, third;  ///< the first two of outlines
+  };
+  class View;
+  void add_table(std::size_t edges, std::size_t corners, std::span<const Vec2> zone);
+  void find_triples(const View& view);
+  EventCurve::Edge ends(const Edge& edge) const;
+
+  std::vector<std::span<const Vec3>> loops_;  ///< the receiver, the outlines
+  // Of the corners of one loop over the edges of another, edge by edge.
+  std::vector<std::size_t> tables_;  ///< by the two loops: the first of
+  std::vector<ViewSide> sides_;
+  std::vector<signed char> signs_;  ///< 1 or −1 where that is the sign from all of the zone, else 0
+  std::vector<Triple> triples_;     ///< that may be met at once from some point of the zone
+};
 
 }  // namespace etendue

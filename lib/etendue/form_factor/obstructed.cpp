@@ -18,9 +18,6 @@ namespace etendue {
 
 namespace {
 
-/// The share of the tolerance that the free factor's proved error may use.
-constexpr double kFreeShare = 0.1;
-
 struct Plates {
   Plates(std::span<const Polygon> plates, BlockingSides sides) {
     made.reserve(plates.size());
@@ -78,8 +75,16 @@ void clamp(ObstructedFormFactor& f) {
 ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,
                                             std::span<const Blocker* const> blockers, Tolerance tolerance) {
   require(tolerance.relative >= 0 && tolerance.absolute >= 0, "obstructed_form_factor: tolerances are not negative");
+  const Tolerance of_free{kFreeShare * tolerance.relative, kFreeShare * tolerance.absolute};
+  return obstructed_form_factor(from, to, blockers, tolerance, form_factor(from, to, of_free));
+}
+
+ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,
+                                            std::span<const Blocker* const> blockers, Tolerance tolerance,
+                                            const Bounded& free) {
+  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "obstructed_form_factor: tolerances are not negative");
   ObstructedFormFactor result;
-  result.free = form_factor(from, to, {kFreeShare * tolerance.relative, kFreeShare * tolerance.absolute});
+  result.free = free;
   result.free.value = std::min(result.free.value, to.area() / from.area());
   static_cast<Bounded&>(result) = result.free;
   if (result.free.value == 0 || blockers.empty()) return result;
@@ -92,6 +97,8 @@ ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& 
     return result;
   }
   const SightSpace space = sight_space(pair, from.vertices().front(), blockers);
+  const auto clear = [](const SightZone& zone) { return !zone.dark && zone.outlines.empty(); };
+  if (std::all_of(space.zones.begin(), space.zones.end(), clear)) return result;
   const auto asked = [&] { return std::max(tolerance.absolute, tolerance.relative * result.value); };
   OuterIntegral outer(space, result.free.value * pair.from_area, 0.5 * asked() * pair.from_area);
   for (;;) {

@@ -46,6 +46,14 @@ struct ObstructedFormFactor : Bounded {
                                                           std::span<const Blocker* const> blockers,
                                                           Tolerance tolerance = {});
 
+/// The share of the tolerance that the free factor's proved error may use.
+inline constexpr double kFreeShare = 0.1;
+
+/// The same where the free factor is known already, to kFreeShare of the tolerance.
+[[nodiscard]] ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,
+                                                          std::span<const Blocker* const> blockers, Tolerance tolerance,
+                                                          const Bounded& free);
+
 /// The same for plates.
 [[nodiscard]] ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,
                                                           std::span<const Polygon> plates, Tolerance tolerance = {},

@@ -19,12 +19,14 @@ constexpr int kMostEvaluations = 400000;
 // A cell on which the integrand is analytic: NOTES.md §5 has the estimate, and how these numbers were measured.
 
 /// Coefficients are not believed to fall faster than this from one degree to the next.
-constexpr double kLeastDecay = 1.0 / 32;
+constexpr double kLeastDecay = 1.0 / 16;
 /// With two nodes a side the estimate counts by so much.
 constexpr double kTwoNodes = 8;
 /// Least quotient of the distance of the nearest singularity and the cell's radius at which rules converge fast.
 constexpr double kLeastReach = 1.25;
 constexpr int kMostNodes = 8;
+/// Edges that this share of the radius brings together are one but for rounding, as the edge that two plates share.
+constexpr double kDistinct = 0x1p-20;
 
 // Any other cell.
 
@@ -95,16 +97,22 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   }
   for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z);
   // The smaller of the two integrals keeps the more digits; a look at the cells' centres decides.
+  // A zone without outlines sees all.
+  const auto open = [&](const Piece& piece) { return zones_[piece.zone].zone->outlines.empty(); };
   double hidden = 0;
   for (Piece& piece : pieces_) {
-    survey(piece);
+    piece.none = open(piece);
+    if (!piece.none) survey(piece);
     hidden += piece.cell.area() * piece.hidden;
   }
   bool dark = false;
   for (const SightZone& zone : space.zones) dark = dark || zone.dark;
   integrand_ = dark || hidden > 0.5 * free ? Integrand::visible : Integrand::hidden;
   const double share = goal / static_cast<double>(pieces_.size());
-  for (Piece& piece : pieces_) measure(piece, share);
+  for (Piece& piece : pieces_) {
+    if (integrand_ == Integrand::visible && open(piece)) survey(piece);
+    measure(piece, share);
+  }
   note();
 
   double reach = 0, outline = 0, area = 0;
@@ -121,11 +129,14 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
 void OuterIntegral::add_zone(const SightSpace& space, std::size_t index) {
   const SightZone& zone = space.zones[index];
   if (zone.dark) return;  // nothing is seen
-  for (const Cell& cell : cells_between(zone.corners, critical_lines(space.receiver, zone))) {
+  const EventCurves curves(space.receiver, zone);
+  const std::vector<Cell> cells = cells_between(zone.corners, critical_lines(space.receiver, zone));
+  pieces_.reserve(pieces_.size() + cells.size());
+  for (const Cell& cell : cells) {
     Piece piece;
     piece.cell = cell;
     piece.zone = index;
-    piece.curves = event_curves(space.receiver, zone.outlines, cell);
+    piece.curves = curves.across(cell);
     divide(std::move(piece), kMostSteps, pieces_);
   }
 }
@@ -157,7 +168,9 @@ void OuterIntegral::divide(Piece piece, int steps, std::vector<Piece>& parts) {
 
 void OuterIntegral::survey(Piece& piece) {
   const Vec2 centre = piece.cell.centre();
-  const ShadowView::Survey survey = zones_[piece.zone].view.survey(centre);
+  piece.form = forms_.size();
+  const ShadowView::Survey survey = zones_[piece.zone].view.survey(centre, forms_);
+  piece.form_end = forms_.size();
   ++evaluations_;
   piece.free = survey.free;
   piece.hidden = survey.hidden;
@@ -165,8 +178,13 @@ void OuterIntegral::survey(Piece& piece) {
   piece.all = survey.all;
   double radius = 0;
   for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - centre).norm());
-  const double reach = survey.reach / radius;
-  const bool analytic = piece.curves.empty() && piece.bend == 0 && reach >= kLeastReach;
+  const auto keeps = [&] {
+    return survey.to_crossings > kDistinct * radius &&
+           keeps_sides(zones_[piece.zone].view.edges(), form_of(piece), centre, piece.cell.corners());
+  };
+  piece.formed = piece.curves.empty() && piece.bend == 0 && (survey.to_crossings >= kLeastReach * radius || keeps());
+  const double reach = std::min(survey.to_edges, survey.to_crossings) / radius;
+  const bool analytic = piece.formed && reach >= kLeastReach;
   piece.decay = analytic ? std::max(kLeastDecay, 1 / (reach + std::sqrt(reach * reach - 1))) : 1;
 }
 
@@ -184,9 +202,18 @@ void OuterIntegral::measure(Piece& piece, double share) {
   }
 }
 
+CellView OuterIntegral::view_of(const Piece& piece) {
+  ShadowView& view = zones_[piece.zone].view;
+  if (!piece.formed) return {view, integrand_};
+  return {view, integrand_, form_of(piece)};
+}
+
+std::span<const ViewCorner> OuterIntegral::form_of(const Piece& piece) const {
+  return std::span(forms_).subspan(piece.form, piece.form_end - piece.form);
+}
+
 void OuterIntegral::measure_analytic(Piece& piece, int nodes) {
-  Zone& zone = zones_[piece.zone];
-  const CellSum sum = integrate(zone.view, integrand_, piece.cell, zone.near, nodes);
+  const CellSum sum = integrate(view_of(piece), piece.cell, zones_[piece.zone].near, nodes);
   evaluations_ += sum.evaluations;
   const double decay = piece.decay, smooth = piece.free * piece.cell.area() * std::pow(decay, 2 * nodes);
   if (nodes > 2) {
@@ -201,16 +228,17 @@ void OuterIntegral::measure_analytic(Piece& piece, int nodes) {
 }
 
 void OuterIntegral::measure_any(Piece& piece, bool fresh) {
-  Zone& zone = zones_[piece.zone];
+  const CellView view = view_of(piece);
+  const std::vector<Vec3>& near = zones_[piece.zone].near;
   double before = piece.value;
   if (fresh) {
-    const CellSum coarse = integrate(zone.view, integrand_, piece.cell, zone.near, kLadder[0]);
+    const CellSum coarse = integrate(view, piece.cell, near, kLadder[0]);
     evaluations_ += coarse.evaluations;
     before = coarse.value;
     piece.nodes = kLadder[0];
   }
   piece.nodes = *std::upper_bound(kLadder.begin(), kLadder.end(), piece.nodes);
-  const CellSum fine = integrate(zone.view, integrand_, piece.cell, zone.near, piece.nodes);
+  const CellSum fine = integrate(view, piece.cell, near, piece.nodes);
   evaluations_ += fine.evaluations;
   piece.value = fine.value;
   piece.tails = fine.tails;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "etendue/form_factor/cell_rule.hpp"
@@ -48,11 +49,13 @@ class OuterIntegral {
     double free = 0;   ///< the factor without blockers, at the centre
     double decay = 1;  ///< by which coefficients fall from one degree to the next; 1 where that is not known
     double bend = 0;   ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
-    std::vector<EventCurve> curves;  ///< that may cross the cell
-    bool none = false;               ///< seen from the centre, nothing is hidden
-    bool all = false;                ///< seen from the centre, everything is
-    double hidden = 0;               ///< factor of what is, at the centre
-    std::array<double, 2> tails{};   ///< CellSum::tails
+    std::vector<EventCurve> curves;      ///< that may cross the cell
+    std::size_t form = 0, form_end = 0;  ///< of what is hidden, seen from the centre: in forms_
+    bool formed = false;                 ///< that form holds in all of the cell
+    bool none = false;                   ///< seen from the centre, nothing is hidden
+    bool all = false;                    ///< seen from the centre, everything is
+    double hidden = 0;                   ///< factor of what is, at the centre
+    std::array<double, 2> tails{};       ///< CellSum::tails
     double value = 0;
     double error = 0;
   };
@@ -61,6 +64,8 @@ class OuterIntegral {
   /// Cuts a piece along its curves, or halves it, `steps` times at most, and adds the parts.
   static void divide(Piece piece, int steps, std::vector<Piece>& parts);
   void survey(Piece& piece);
+  CellView view_of(const Piece& piece);
+  std::span<const ViewCorner> form_of(const Piece& piece) const;
   void measure(Piece& piece, double share);
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
@@ -70,6 +75,7 @@ class OuterIntegral {
 
   std::vector<Zone> zones_;
   std::vector<Piece> pieces_;
+  ViewForm forms_;
   Integrand integrand_ = Integrand::hidden;
   double value_ = 0, error_ = std::numeric_limits<double>::infinity();
   double rounding_ = 0;

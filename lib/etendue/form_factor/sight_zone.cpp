@@ -2,11 +2,13 @@
 #include "etendue/form_factor/sight_zone.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/view_side.hpp"
 
 namespace etendue {
 
@@ -23,8 +25,23 @@ struct FramePlane {
   double flatness;
 
   double height(const Vec3& p) const {
-    const double h = normal.dot(p - point);
-    return std::abs(h) <= flatness + kOnPlane * (p.norm() + point.norm()) ? 0 : h;
+    const double h = normal.dot(p - point), size = std::abs(h);
+    if (size > flatness + kOnPlane * (p.cwiseAbs().sum() + point.cwiseAbs().sum())) return h;  // no less than the norms
+    return size <= flatness + kOnPlane * (p.norm() + point.norm()) ? 0 : h;
+  }
+  double height(const Vec2& p) const { return height(Vec3(p.x(), p.y(), 0)); }
+};
+
+/// On which sides of a plane some points lie.
+struct Sides {
+  bool front = false, behind = false;
+  template <typename Points>
+  Sides(const Points& points, const FramePlane& plane) {
+    for (const auto& p : points) {
+      const double h = plane.height(p);
+      front = front || h > 0;
+      behind = behind || h < 0;
+    }
   }
 };
 
@@ -34,7 +51,12 @@ struct Frame {
   double scale;
 
   Vec3 turned(const Vec3& v) const { return {x.dot(v), y.dot(v), z.dot(v)}; }
-  Vec3 placed(const Vec3& p) const { return turned(scale * (p - origin)); }
+  std::vector<Vec3> placed(const std::vector<Vec3>& points) const {
+    std::vector<Vec3> result;
+    result.reserve(points.size());
+    for (const Vec3& p : points) result.push_back(turned(scale * (p - origin)));
+    return result;
+  }
 };
 
 Frame frame_of(const FacingPair& pair, const Vec3& from_origin) {
@@ -60,8 +82,30 @@ Frame frame_of(const FacingPair& pair, const Vec3& from_origin) {
 struct Placed {
   const Blocker* blocker;
   std::vector<Vec3> points;
-  bool in_front;  ///< no point behind either plane
+  bool in_front = true;              ///< no point behind either plane
+  std::vector<FramePlane> planes{};  ///< of a solid's faces; of a plate one, which all its pieces share
 };
+
+void find_planes(Placed& placed) {
+  for (const Blocker::Face& face : placed.blocker->faces()) {
+    const std::vector<std::size_t>& c = face.corners;
+    const Vec3& base = placed.points[c[0]];
+    Vec3 normal = Vec3::Zero();
+    for (std::size_t i = 1; i + 1 < c.size(); ++i) {
+      normal += (placed.points[c[i]] - base).cross(placed.points[c[i + 1]] - base);
+    }
+    placed.planes.push_back({normal.normalized(), base, 0});
+    if (!placed.blocker->is_solid()) return;
+  }
+}
+
+template <typename Points>
+std::vector<double> heights_of(const Points& points, const FramePlane& plane) {
+  std::vector<double> heights;
+  heights.reserve(points.size());
+  for (const auto& p : points) heights.push_back(plane.height(p));
+  return heights;
+}
 
 Outline cut(const Outline& loop, const std::vector<double>& heights) {
   Outline kept;
@@ -78,15 +122,9 @@ Outline cut(const Outline& loop, const std::vector<double>& heights) {
 /// What of the loop lies in front of the source (z > 0) and of the receiver; empty where that is no more than an edge.
 Outline keep_between(Outline loop, const FramePlane& source, const FramePlane& receiver) {
   for (const FramePlane* plane : {&source, &receiver}) {
-    std::vector<double> heights;
-    bool front = false, behind = false;
-    for (const Vec3& p : loop) {
-      heights.push_back(plane->height(p));
-      front = front || heights.back() > 0;
-      behind = behind || heights.back() < 0;
-    }
-    if (!front) return {};
-    if (behind) loop = cut(loop, heights);
+    const Sides sides(loop, *plane);
+    if (!sides.front) return {};
+    if (sides.behind) loop = cut(loop, heights_of(loop, *plane));
     if (loop.size() < 3) return {};
   }
   for (Vec3& p : loop) p.z() = source.height(p) == 0 ? 0 : p.z();
@@ -110,10 +148,6 @@ std::vector<std::size_t> silhouette(const Blocker& solid, const std::vector<bool
   return loop;
 }
 
-double least_or_most(const std::vector<double>& heights, bool most) {
-  return most ? *std::max_element(heights.begin(), heights.end()) : *std::min_element(heights.begin(), heights.end());
-}
-
 class Zoning {
  public:
   Zoning(std::vector<Placed> placed, FramePlane source, FramePlane receiver)
@@ -123,12 +157,8 @@ class Zoning {
   void divide(std::vector<Vec2> corners, std::vector<SightZone>& zones) const {
     std::vector<std::vector<Vec2>> parts{std::move(corners)};
     for (const Placed& p : placed_) {
-      for (std::size_t f = 0; f < p.blocker->faces().size(); ++f) {
-        const FramePlane plane = face_plane(p, f);
-        std::vector<std::vector<Vec2>> finer;
-        for (std::vector<Vec2>& part : parts) split(std::move(part), plane, finer);
-        parts = std::move(finer);
-        if (!p.blocker->is_solid()) break;  // all pieces of a plate share its plane
+      for (const FramePlane& plane : p.planes) {
+        for (std::size_t k = parts.size(); k > 0; --k) split(parts, k - 1, plane);
       }
     }
     for (std::vector<Vec2>& part : parts) zones.push_back(zone(std::move(part)));
@@ -148,39 +178,26 @@ class Zoning {
   }
 
  private:
-  FramePlane face_plane(const Placed& p, std::size_t f) const {
-    const std::vector<std::size_t>& c = p.blocker->faces()[f].corners;
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 1; i + 1 < c.size(); ++i) {
-      normal += (p.points[c[i]] - p.points[c[0]]).cross(p.points[c[i + 1]] - p.points[c[0]]);
-    }
-    return {normal.normalized(), p.points[c[0]], 0};
-  }
-
-  static std::vector<double> heights_of(const std::vector<Vec2>& part, const FramePlane& plane) {
-    std::vector<double> heights;
-    for (const Vec2& v : part) heights.push_back(plane.height({v.x(), v.y(), 0}));
-    return heights;
-  }
-
-  static void split(std::vector<Vec2> part, const FramePlane& plane, std::vector<std::vector<Vec2>>& out) {
-    std::vector<double> heights = heights_of(part, plane);
-    if (least_or_most(heights, false) >= 0 || least_or_most(heights, true) <= 0) {
-      out.push_back(std::move(part));
-      return;
-    }
-    for (int side = 0; side < 2; ++side) {
-      std::vector<Vec2> kept;
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        const std::size_t j = (i + 1) % part.size();
-        if (heights[i] >= 0) kept.push_back(part[i]);
+  /// Leaves the part in front of the plane, and adds what lies behind.
+  static void split(std::vector<std::vector<Vec2>>& parts, std::size_t index, const FramePlane& plane) {
+    const Sides sides(parts[index], plane);
+    if (!sides.front || !sides.behind) return;
+    const std::vector<Vec2> whole = std::move(parts[index]);
+    std::vector<double> heights = heights_of(whole, plane);
+    std::array<std::vector<Vec2>, 2> kept;
+    for (std::vector<Vec2>& part : kept) {
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        const std::size_t j = (i + 1) % whole.size();
+        if (heights[i] >= 0) part.push_back(whole[i]);
         if ((heights[i] > 0 && heights[j] < 0) || (heights[i] < 0 && heights[j] > 0)) {
-          kept.push_back(part[i] + heights[i] / (heights[i] - heights[j]) * (part[j] - part[i]));
+          part.push_back(whole[i] + heights[i] / (heights[i] - heights[j]) * (whole[j] - whole[i]));
         }
       }
-      if (kept.size() >= 3) out.push_back(std::move(kept));
       for (double& h : heights) h = -h;
     }
+    // Of a convex part either side has three corners: one beyond the plane, two on it.
+    parts[index] = std::move(kept[0]);
+    parts.push_back(std::move(kept[1]));
   }
 
   void add(Outline loop, SightZone& zone) const {
@@ -196,18 +213,17 @@ class Zoning {
   }
 
   void add_plates(const Placed& p, SightZone& zone) const {
-    const std::vector<double> heights = heights_of(zone.corners, face_plane(p, 0));
-    const bool before = least_or_most(heights, true) > 0, behind = least_or_most(heights, false) < 0;
-    if (!before && !behind) return;  // the zone lies in the plate's plane
-    if (!before && p.blocker->sides() == BlockingSides::front) return;
-    for (const Blocker::Face& face : p.blocker->faces()) add(loop_of(p, face.corners, before), zone);
+    const Sides sides(zone.corners, p.planes.front());
+    if (!sides.front && !sides.behind) return;  // the zone lies in the plate's plane
+    if (!sides.front && p.blocker->sides() == BlockingSides::front) return;
+    for (const Blocker::Face& face : p.blocker->faces()) add(loop_of(p, face.corners, sides.front), zone);
   }
 
   void add_solid(const Placed& p, SightZone& zone) const {
     std::vector<bool> seen;
     bool any = false;
-    for (std::size_t f = 0; f < p.blocker->faces().size(); ++f) {
-      seen.push_back(least_or_most(heights_of(zone.corners, face_plane(p, f)), true) > 0);
+    for (const FramePlane& plane : p.planes) {
+      seen.push_back(Sides(zone.corners, plane).front);
       any = any || seen.back();
     }
     if (!any) {
@@ -230,18 +246,9 @@ class Zoning {
 enum class Place { in_front, behind, across };
 
 Place place(const std::vector<Vec3>& points, const FramePlane& source, const FramePlane& receiver) {
-  Place result = Place::in_front;
-  for (const FramePlane* plane : {&source, &receiver}) {
-    bool front = false, behind = false;
-    for (const Vec3& p : points) {
-      const double h = plane->height(p);
-      front = front || h > 0;
-      behind = behind || h < 0;
-    }
-    if (!front) return Place::behind;
-    if (behind) result = Place::across;
-  }
-  return result;
+  const Sides by_source(points, source), by_receiver(points, receiver);
+  if (!by_source.front || !by_receiver.front) return Place::behind;
+  return by_source.behind || by_receiver.behind ? Place::across : Place::in_front;
 }
 
 /// Whether a plane across the axes separates the points from the pair's bounds.
@@ -253,6 +260,19 @@ bool apart(const std::vector<Vec3>& points, const Vec3& low, const Vec3& high) {
       above = above && p(axis) >= high(axis);
     }
     if (below || above) return true;
+  }
+  return false;
+}
+
+/// Whether the receiver lies outside of one edge of the outline, from all of the zone: then nothing of it is hidden.
+bool misses(const Outline& outline, std::span<const Vec3> receiver, std::span<const Vec2> zone) {
+  for (std::size_t j = 0; j < outline.size(); ++j) {
+    const Vec3 &a = outline[j], &b = outline[j + 1 < outline.size() ? j + 1 : 0];
+    const auto outside = [&](const Vec3& corner) {
+      const ViewSide side = view_side(a, b, corner);
+      return std::all_of(zone.begin(), zone.end(), [&](const Vec2& x) { return side.at(x) <= 0; });
+    };
+    if (std::all_of(receiver.begin(), receiver.end(), outside)) return true;
   }
   return false;
 }
@@ -282,11 +302,11 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
   }
   std::vector<Placed> placed;
   for (const Blocker* blocker : blockers) {
-    Placed candidate{blocker, {}, true};
-    for (const Vec3& p : blocker->points()) candidate.points.push_back(frame.placed(p));
+    Placed candidate{blocker, frame.placed(blocker->points())};
     const Place where = place(candidate.points, source_plane, receiver_plane);
     if (where == Place::behind || apart(candidate.points, low, high)) continue;
     candidate.in_front = where == Place::in_front;
+    find_planes(candidate);
     placed.push_back(std::move(candidate));
   }
   const Zoning zoning(std::move(placed), source_plane, receiver_plane);
@@ -295,27 +315,28 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
     for (const std::size_t i : piece) corners.push_back(source[i].head<2>());
     zoning.divide(std::move(corners), space.zones);
   }
+  for (SightZone& zone : space.zones) {
+    std::erase_if(zone.outlines, [&](const Outline& outline) { return misses(outline, space.receiver, zone.corners); });
+  }
   return space;
 }
 
 SightSpace sight_space(const Vec3& point, const Vec3& normal, const Polygon& to,
                        std::span<const Blocker* const> blockers) {
   const Frame frame{normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal()), normal, point, 1};
-  Outline receiver;
-  for (const Vec3& v : to.vertices()) receiver.push_back(frame.placed(v));
+  const Outline receiver = frame.placed(to.vertices());
   const FramePlane horizon{Vec3::UnitZ(), Vec3::Zero(), 0};
   const FramePlane receiver_plane{frame.turned(to.normal()), receiver[0], 0};
-  std::vector<double> heights;
-  for (const Vec3& v : receiver) heights.push_back(horizon.height(v));
   SightSpace space;
-  space.receiver = cut(receiver, heights);
+  space.receiver = cut(receiver, heights_of(receiver, horizon));
   std::vector<Placed> placed;
   for (const Blocker* blocker : blockers) {
-    Placed candidate{blocker, {}, true};
-    for (const Vec3& p : blocker->points()) candidate.points.push_back(frame.placed(p));
+    Placed candidate{blocker, frame.placed(blocker->points())};
     const Place where = place(candidate.points, horizon, receiver_plane);
+    if (where == Place::behind) continue;
     candidate.in_front = where == Place::in_front;
-    if (where != Place::behind) placed.push_back(std::move(candidate));
+    find_planes(candidate);
+    placed.push_back(std::move(candidate));
   }
   space.zones.push_back(Zoning(std::move(placed), horizon, receiver_plane).zone({Vec2::Zero()}));
   return space;

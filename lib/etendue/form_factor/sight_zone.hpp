@@ -17,9 +17,10 @@ using Outline = std::vector<Vec3>;
 ///
 /// Coordinates are the source's own: x and y in its plane, z along its normal; lengths in the pair's scale.
 struct SightZone {
-  std::vector<Vec2> corners;      ///< counter-clockwise
-  std::vector<Outline> outlines;  ///< of the blockers; all wholly in front of source and receiver
-  bool dark = false;              ///< inside or right under a solid: nothing is seen
+  std::vector<Vec2> corners;  ///< counter-clockwise
+  std::vector<Outline>
+      outlines;       ///< of the blockers that may hide something; all wholly in front of source and receiver
+  bool dark = false;  ///< inside or right under a solid: nothing is seen
 };
 
 /// A pair in the source's coordinates, cut into zones.

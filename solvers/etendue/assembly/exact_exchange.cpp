@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/obstructed.hpp"
 
 namespace etendue {
 
@@ -46,34 +48,51 @@ ExactExchange::ExactExchange(const ElementMesh& mesh, const AssemblyTolerance& t
       rows_(polygons_of(mesh)),
       tolerance_{with_room(tolerance.free), with_room(tolerance.obstructed)} {}
 
+/// Pairs that need work: their places among those asked for, and what FactorRows is asked.
+struct ExactExchange::Tile {
+  std::span<const SurfacePair> pairs;
+  std::vector<std::size_t> clear, obstructed;
+  std::vector<SightLine> lines;  ///< of the obstructed ones
+
+  std::vector<IndexPair> named(const std::vector<std::size_t>& places) const {
+    std::vector<IndexPair> result;
+    result.reserve(places.size());
+    for (const std::size_t k : places) {
+      result.push_back({static_cast<std::uint32_t>(pairs[k].i), static_cast<std::uint32_t>(pairs[k].j)});
+    }
+    return result;
+  }
+};
+
 std::vector<SeenPair> ExactExchange::factors(std::span<const SurfacePair> pairs, AbsoluteError error) const {
   std::vector<SeenPair> seen(pairs.size());
-  std::vector<IndexPair> there, back;
-  std::vector<std::size_t> clear, checked;
+  Tile tile{pairs, {}, {}, {}};
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto [i, j] = pairs[k];
-    const SightLine line = sights_.between(i, j);
+    SightLine line = sights_.between(pairs[k].i, pairs[k].j);
     seen[k].sight = line.sight;
-    if (line.sight == Sight::clear) {
-      const auto first = static_cast<std::uint32_t>(i), second = static_cast<std::uint32_t>(j);
-      there.push_back({first, second});
-      clear.push_back(k);
-      if ((i + j) % kCheckedClearPairs != 0) continue;
-      back.push_back({second, first});
-      checked.push_back(k);
-    } else if (line.sight == Sight::undecided) {
-      const ElementPair pair{mesh_.elements[i].polygon, mesh_.elements[j].polygon, line.bodies};
-      AssemblyTolerance asked = tolerance_;
-      if (error == AbsoluteError::of_both) asked.obstructed = of_both(asked.obstructed, pair.first, pair.second);
-      seen[k].found =
-          (i + j) % kCheckedObstructedPairs == 0 ? two_sided_factor(pair, asked) : one_sided_factor(pair, asked);
-    }
+    if (line.sight == Sight::clear) tile.clear.push_back(k);
+    if (line.sight != Sight::undecided) continue;
+    tile.obstructed.push_back(k);
+    tile.lines.push_back(std::move(line));
   }
+  find_clear(tile, error, seen);
+  find_obstructed(tile, error, seen);
+  return seen;
+}
+
+void ExactExchange::find_clear(const Tile& tile, AbsoluteError error, std::vector<SeenPair>& seen) const {
+  const std::vector<IndexPair> there = tile.named(tile.clear);
   std::vector<Bounded> found(there.size());
   rows_.pairs(there, tolerance_.free, error, found);
-  for (std::size_t k = 0; k < clear.size(); ++k) {
-    seen[clear[k]].found.factor = found[k];
-    seen[clear[k]].found.free = found[k];
+  std::vector<IndexPair> back;
+  std::vector<std::size_t> checked;
+  for (std::size_t k = 0; k < there.size(); ++k) {
+    const std::size_t place = tile.clear[k];
+    seen[place].found.factor = found[k];
+    seen[place].found.free = found[k];
+    if ((std::size_t{there[k].from} + there[k].to) % kCheckedClearPairs != 0) continue;
+    back.push_back({there[k].to, there[k].from});
+    checked.push_back(place);
   }
   found.resize(back.size());
   rows_.pairs(back, tolerance_.free, error, found);
@@ -83,7 +102,23 @@ std::vector<SeenPair> ExactExchange::factors(std::span<const SurfacePair> pairs,
     pair = compared_factor(pair.factor, found[k], ratio);
     pair.free = pair.factor;
   }
-  return seen;
+}
+
+void ExactExchange::find_obstructed(const Tile& tile, AbsoluteError error, std::vector<SeenPair>& seen) const {
+  const Tolerance of_free{kFreeShare * tolerance_.obstructed.relative, kFreeShare * tolerance_.obstructed.absolute};
+  std::vector<Bounded> free(tile.obstructed.size());
+  rows_.pairs(tile.named(tile.obstructed), of_free, error, free);
+  for (std::size_t k = 0; k < tile.obstructed.size(); ++k) {
+    const auto [i, j] = tile.pairs[tile.obstructed[k]];
+    ElementPair pair{mesh_.elements[i].polygon, mesh_.elements[j].polygon, tile.lines[k].bodies, {}};
+    AssemblyTolerance asked = tolerance_;
+    if (error == AbsoluteError::of_both) asked.obstructed = of_both(asked.obstructed, pair.first, pair.second);
+    // From the smaller of the two less is asked of a free factor than of an obstructed one.
+    const Tolerance& least = asked.obstructed;
+    if (free[k].bound <= kFreeShare * std::max(least.absolute, least.relative * free[k].value)) pair.free = free[k];
+    seen[tile.obstructed[k]].found =
+        (i + j) % kCheckedObstructedPairs == 0 ? two_sided_factor(pair, asked) : one_sided_factor(pair, asked);
+  }
 }
 
 void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport& report) const {

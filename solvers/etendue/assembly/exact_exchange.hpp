@@ -38,6 +38,10 @@ class ExactExchange : public ExchangeMethod {
   [[nodiscard]] std::vector<SeenPair> factors(std::span<const SurfacePair> pairs, AbsoluteError error) const;
 
  private:
+  struct Tile;
+  void find_clear(const Tile& tile, AbsoluteError error, std::vector<SeenPair>& seen) const;
+  void find_obstructed(const Tile& tile, AbsoluteError error, std::vector<SeenPair>& seen) const;
+
   const ElementMesh& mesh_;
   SightMap sights_;
   FactorRows rows_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/obstructed.hpp"
@@ -44,12 +45,13 @@ struct Side {
 };
 
 Side seen_from(const Polygon& from, const Polygon& to, const std::vector<const Blocker*>& blockers,
-               const AssemblyTolerance& tolerance) {
+               const AssemblyTolerance& tolerance, const std::optional<Bounded>& free = {}) {
   if (blockers.empty()) {
-    const Bounded free = form_factor(from, to, tolerance.free);
-    return {free, free, false, false};
+    const Bounded whole = form_factor(from, to, tolerance.free);
+    return {whole, whole, false, false};
   }
-  const ObstructedFormFactor found = obstructed_form_factor(from, to, blockers, tolerance.obstructed);
+  const ObstructedFormFactor found = free ? obstructed_form_factor(from, to, blockers, tolerance.obstructed, *free)
+                                          : obstructed_form_factor(from, to, blockers, tolerance.obstructed);
   return {found, found.free, found.curved, found.clamp != Clamp::none};
 }
 
@@ -125,7 +127,7 @@ PairFactor compared_factor(const Bounded& there, const Bounded& back, double are
 }
 
 PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
-  const Side there = seen_from(pair.first, pair.second, pair.blockers, tolerance);
+  const Side there = seen_from(pair.first, pair.second, pair.blockers, tolerance, pair.free);
   if (there.curved) return checked(pair, there, tolerance);
   PairFactor result;
   result.factor = there.factor;
@@ -135,7 +137,7 @@ PairFactor one_sided_factor(const ElementPair& pair, const AssemblyTolerance& to
 }
 
 PairFactor two_sided_factor(const ElementPair& pair, const AssemblyTolerance& tolerance) {
-  return checked(pair, seen_from(pair.first, pair.second, pair.blockers, tolerance), tolerance);
+  return checked(pair, seen_from(pair.first, pair.second, pair.blockers, tolerance, pair.free), tolerance);
 }
 
 double allowed_error(const Tolerance& tolerance, double factor, double area_ratio) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "etendue/core/bounded.hpp"
@@ -28,6 +29,7 @@ struct ElementPair {
   const Polygon& first;
   const Polygon& second;
   std::vector<const Blocker*> blockers;  ///< whoever made them keeps them alive
+  std::optional<Bounded> free{};         ///< F_12 without them, to kFreeShare of the tolerance; where it is known
 };
 
 /// A form factor, and what is known of it from the other side.
