@@ -4,6 +4,7 @@
 #include <arb.h>
 #include <arf.h>
 
+#include <cmath>
 #include <utility>
 
 namespace etendue::oracle {
@@ -102,6 +103,18 @@ inline Ball pi() {
   Ball r;
   arb_const_pi(r.get(), Ball::kBits);
   return r;
+}
+
+/// A ball as two doubles and what they are off: |high + low − x| ≤ radius.
+struct TwoDoubles {
+  double high, low, radius;
+};
+template <slong Bits>
+TwoDoubles two_doubles(const BallAt<Bits>& x) {
+  const double high = x.midpoint();
+  const BallAt<Bits> rest = x - BallAt<Bits>(high);
+  const double low = rest.midpoint();
+  return {high, low, rest.radius() + 0x1p-53 * std::abs(low)};
 }
 
 }  // namespace etendue::oracle

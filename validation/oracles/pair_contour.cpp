@@ -349,10 +349,8 @@ FactorBall pair_contour(const Loops& from, const Loops& to, double planarity) {
   }
   const Vector<Exact> area = area_vector(whole_1);
   const Real factor = sum / (circle_constant() * Real(sqrt(dot(area, area))));
-  result.high = factor.midpoint();
-  const Real rest = factor - Real(result.high);
-  result.low = rest.midpoint();
-  result.radius = rest.radius() + 0x1p-53 * std::abs(result.low);
+  const TwoDoubles split = two_doubles(factor);
+  result.high = split.high, result.low = split.low, result.radius = split.radius;
   return result;
 }
 

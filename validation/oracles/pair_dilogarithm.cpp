@@ -240,12 +240,8 @@ std::optional<FactorBall> pair_dilogarithm(const Loops& from, const Loops& to) {
   Real circle;
   arb_const_pi(circle.get(), Real::kBits);
   const Real factor = sum / (Real(2) * circle * sqrt(Real(dot(area, area))));  // 4π A, A half the vector's length
-  FactorBall result;
-  result.high = factor.midpoint();
-  const Real rest = factor - Real(result.high);
-  result.low = rest.midpoint();
-  result.radius = rest.radius() + 0x1p-53 * std::abs(result.low);
-  return result;
+  const TwoDoubles split = two_doubles(factor);
+  return FactorBall{split.high, split.low, split.radius};
 }
 
 }  // namespace etendue::oracle

@@ -8,6 +8,7 @@
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/difference_rule.hpp"
+#include "etendue/form_factor/taylor_coefficients.hpp"
 
 // Vectors are handed from one inlined function to another only: no calling convention is concerned.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -32,12 +33,11 @@ struct RuleBounds {
 RuleBounds compute_rule_bounds() {
   RuleBounds bounds;
   for (int n = kLeastNodes; n <= kMostDifferenceNodes; ++n) {
-    const double k = 2 * n;
     const auto i = static_cast<std::size_t>(n - kLeastNodes);
     bounds.difference[i] = difference_remainder(n);
     bounds.product[i] = n <= kMostProductNodes ? 2 * legendre_remainder(n) : HUGE_VAL;
-    bounds.steep[i] = (k + 1) * (k + 2) * (k + 3) / 6;
-    bounds.flat[i] = (k + 2) / 2;
+    bounds.steep[i] = steep_coefficient(2 * n);
+    bounds.flat[i] = flat_coefficient(2 * n);
   }
   return bounds;
 }
@@ -175,9 +175,9 @@ struct Bounds {
   return b;
 }
 
-/// Bounds (r/p)³ = x √x, x = 1 + far²/p², p the distance off the line.
-[[gnu::always_inline]] inline Four cone(const Four& far, const Four& off_line_square) {
-  const Four x = 1.0 + far * far / off_line_square;
+/// Bounds (r/p)³ = x √x, x = 1 + u²/p², at the nearest u, p the least distance off the line.
+[[gnu::always_inline]] inline Four cone(const Four& u, const Four& off_line_square) {
+  const Four x = 1.0 + u * u / off_line_square;
   return 0.5 * x * (1.0 + x);
 }
 
@@ -265,7 +265,7 @@ constexpr double kOwn = 1 + 0x1p-16;  // the roundings of the bound itself, kSpr
   Bounds bounds = bounds_of(plan, p, half, greatest, uu + off_line, delta, t_2, s_2);
   const Four slack = 2.0 * delta + p.flatness;
   bounds.usable &= p.perpendicular & (s_1 >= -slack) & (t_1 >= -slack) & (square < 0.5);
-  const Choice nodes = choose_nodes(bounds, first, second, cone(u + first + second, off_line), equal, 0.75);
+  const Choice nodes = choose_nodes(bounds, first, second, cone(near_u, off_line), equal, 0.75);
   const Choice terms = choose_terms(bounds, square, 0.25);
   decide(plan, half, bounds, nodes, terms, either(equal, all(kEqualAt), all(0)));
   AlignedLanes& out = plan.lanes;
@@ -294,8 +294,8 @@ constexpr double kOwn = 1 + 0x1p-16;  // the roundings of the bound itself, kSpr
   Bounds bounds =
       bounds_of(plan, p, half, gap / (square * square), square, p.delta + (off_1 + off_2), p.height, p.depth);
   bounds.usable &= p.opposite & equal;
-  const Choice along_u = choose_nodes(bounds, first, first, cone(u + first + other_1, line_u), equal, 0.5);
-  const Choice along_v = choose_nodes(bounds, second, second, cone(v + second + other_2, line_v), equal, 0.5);
+  const Choice along_u = choose_nodes(bounds, first, first, cone(near_u, line_u), equal, 0.5);
+  const Choice along_v = choose_nodes(bounds, second, second, cone(near_v, line_v), equal, 0.5);
   const Mask served = decide(plan, half, bounds, along_u, along_v, all(kOppositeAt));
   AlignedLanes& out = plan.lanes;
   const auto put = [&](Lanes& lanes, const Four& four) { store(lanes, half, either(served, four, load(lanes, half))); };

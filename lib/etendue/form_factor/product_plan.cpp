@@ -10,6 +10,7 @@
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
+#include "etendue/form_factor/taylor_coefficients.hpp"
 
 namespace etendue {
 
@@ -26,20 +27,19 @@ using ByRule = std::array<double, kRules>;
 /// The rules' remainders, and the factors in the bounds of the Taylor coefficient of r^(−4) (NOTES.md §8).
 struct RuleErrors {
   ByRule remainder{};
-  ByRule steep_even{}, steep_odd{};  ///< (k+1)(k+2)(k+3)/6 for k = 2n and 2n − 1
-  ByRule flat_even{}, flat_odd{};    ///< (k+2)/2
+  ByRule steep_even{}, steep_odd{};  ///< for k = 2n and 2n − 1
+  ByRule flat_even{}, flat_odd{};
 };
 
 RuleErrors compute_rule_errors() {
   RuleErrors errors;
   for (int n = kLeastNodes; n <= kMostNodes; ++n) {
-    const double k = 2 * n;
     const auto i = static_cast<std::size_t>(n - kLeastNodes);
     errors.remainder[i] = legendre_remainder(n);
-    errors.steep_even[i] = (k + 1) * (k + 2) * (k + 3) / 6;
-    errors.steep_odd[i] = k * (k + 1) * (k + 2) / 6;
-    errors.flat_even[i] = (k + 2) / 2;
-    errors.flat_odd[i] = (k + 1) / 2;
+    errors.steep_even[i] = steep_coefficient(2 * n);
+    errors.steep_odd[i] = steep_coefficient(2 * n - 1);
+    errors.flat_even[i] = flat_coefficient(2 * n);
+    errors.flat_odd[i] = flat_coefficient(2 * n - 1);
   }
   return errors;
 }
