@@ -149,6 +149,7 @@ class Run {
                        "; exact and rays take spheres, discs and cylinders"});
     }
     for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << printable(note) << '\n';
+    begin_ = Clock::now();  // looking around, which some methods do first, is a part of the work
     method_ = made_method();
     if (!method_) {
       err_ << "etendue form-factors: stopped while surfaces " << (request_.by_pixels() ? "looked around" : "sent rays")
@@ -200,8 +201,6 @@ class Run {
     }
     return request_.rough() ? text + ", seed " + std::to_string(request_.seed) : text;
   }
-
-  // One pair of rows.
 
   int pair() {
     const auto from = row_of(model_, request_.pair.first), to = row_of(model_, request_.pair.second);
@@ -274,7 +273,6 @@ class Run {
   }
 
   int matrix() {
-    const auto begin = Clock::now();
     auto opened = begun();
     if (!opened) return fail(opened.error());
     ExchangeMatrix elements = std::move(opened).value();
@@ -291,7 +289,7 @@ class Run {
     }
     const std::uint64_t beyond = beyond_tolerance(rows);
     if (request_.drop > 0) {
-      rows = in_memory(rows);  // what lies in the checkpoint stays as computed
+      if (const auto apart = rows.detach(); !apart) return fail(apart.error());  // the checkpoint stays as computed
       const DropReport dropped = drop_below(rows, request_.drop);
       remarks.push_back("dropped: " + std::to_string(dropped.pairs) + " pairs below " + shortest(request_.drop) +
                         "; row " + std::to_string(dropped.row + 1) + " loses most, " + shortest(dropped.largest_share) +
@@ -299,7 +297,7 @@ class Run {
       closure = row_closure(rows);
     }
     if (const auto written = write(rows, closure); !written) return fail(written.error());
-    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const MatrixReport report{
         model_,  rows,   closure, request_.method, request_.tolerance, request_.scene, request_.common.output,
         remarks, seconds};
@@ -377,6 +375,7 @@ class Run {
   std::ostream& out_;
   std::ostream& err_;
   SurfaceModel model_;
+  Clock::time_point begin_;
   std::unique_ptr<const ExchangeMethod> method_;
 };
 

@@ -10,6 +10,7 @@
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "memory.hpp"
 
 namespace etendue::cli {
 
@@ -142,6 +143,10 @@ void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   for (const std::string& remark : report.remarks) out << "remark       " << printable(remark) << '\n';
   out << "time         " << rounded(report.seconds) << " s, "
       << rounded(static_cast<double>(report.matrix.layout().pairs()) / report.seconds) << " pairs/s\n";
+  if (const auto peak = peak_memory()) {
+    out << "memory       " << rounded(*peak / 1e6) << " MB at most, "
+        << rounded(static_cast<double>(exchange_bytes(report.matrix.layout())) / 1e6) << " MB of it the matrix\n";
+  }
   if (!report.output.empty()) out << "written      " << printable(report.output.string()) << '\n';
 }
 
@@ -165,6 +170,8 @@ std::string matrix_report_json(const MatrixReport& report) {
   json["largest_bound_at"] = {closure.loosest_from + 1, closure.loosest_to + 1};
   json["remarks"] = report.remarks;
   json["seconds"] = report.seconds;
+  json["matrix_bytes"] = exchange_bytes(report.matrix.layout());
+  if (const auto peak = peak_memory()) json["peak_memory_bytes"] = *peak;
   if (!report.output.empty()) json["output"] = report.output.string();
   return dumped(json);
 }

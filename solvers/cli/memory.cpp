@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -22,13 +23,17 @@ std::optional<double> number_in(const char* path) {
   return std::nullopt;
 }
 
-std::optional<double> of_the_machine() {
-  std::ifstream file("/proc/meminfo");
-  std::string key, unit;
-  for (double kibibytes = 0; file >> key >> kibibytes && std::getline(file, unit);) {
-    if (key == "MemAvailable:") return kibibytes * 1024;
+/// What follows `key` in a file of lines "key: number kB".
+std::optional<double> kibibytes_in(const char* path, const std::string& key) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind(key + ":", 0) == 0) return std::strtod(line.c_str() + key.size() + 1, nullptr) * 1024;
   }
   return std::nullopt;
+}
+
+std::optional<double> of_the_machine() {
+  return kibibytes_in("/proc/meminfo", "MemAvailable");
 }
 
 std::optional<double> of_the_group() {
@@ -53,6 +58,10 @@ std::optional<double> available_memory() {
     if (one && (!least || *one < *least)) least = one;
   }
   return least;
+}
+
+std::optional<double> peak_memory() {
+  return kibibytes_in("/proc/self/status", "VmHWM");
 }
 
 Result<Done> check_memory(const MemoryNeed& need) {

@@ -12,6 +12,9 @@ namespace etendue::cli {
 /// group leaves, and what RLIMIT_AS leaves. Nothing where the kernel does not say.
 [[nodiscard]] std::optional<double> available_memory();
 
+/// Memory [bytes] that this process has held at most so far. Nothing where the kernel does not say.
+[[nodiscard]] std::optional<double> peak_memory();
+
 /// What is to be held at once, and how a refusal words it.
 struct MemoryNeed {
   double bytes = 0;

@@ -146,7 +146,8 @@ void declare(Options& options, Request& request) {
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
       "With --certify NAME.json also holds two numbers for each element and channel between which its exact radiosity\n"
-      "lies: proved, whatever the rounding. Where the form factors are known too loosely for that the exit code is 4.\n"
+      "lies: proved, whatever the rounding. Where the form factors are known too loosely for that, or less well than\n"
+      "--certify-tolerance asks, the exit code is 4.\n"
       "Solvers that iterate go on until a proved bound on their error is below 1e-10 of the largest radiosity.\n"
       "Where form factors are less certain than --tolerance asks, everything is saved and the exit code is 4. After\n"
       "Ctrl-C what is done, rows of the form-factor matrix or channels, is saved as NAME.incomplete.json, once all is\n"
@@ -209,6 +210,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
+  report.certify_tolerance = request.certified;
   report.tolerance.obstructed = {request.tolerance, request.tolerance * kAbsoluteShare};
   if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
   auto mesh = mesh_elements(report.file.scene);
@@ -236,7 +238,7 @@ int stopped(std::ostream& err, const std::string& what) {
   return fail(err, kName, {ErrorCode::stopped, "stopped; " + what});
 }
 
-/// What to end with, all being saved: 4 where the form factors are less certain than was asked, and why.
+/// What to end with, all being saved: 4 where form factors or their enclosures are less certain than was asked, and why.
 int judged(const SolveReport& report, const Request& request, std::ostream& err) {
   if (report.certified && !report.certified->complete) return stopped(err, "all but the enclosures was saved");
   if (!report.not_certified.empty()) {
@@ -249,8 +251,11 @@ int judged(const SolveReport& report, const Request& request, std::ostream& err)
                                                " after " + std::to_string(report.solution->steps) +
                                                " steps; all was saved with the bounds that were reached"});
   }
-  if (report.matrix.missed.pairs == 0) return 0;
-  return fail(err, kName, {ErrorCode::not_converged, missed_tolerance_text(report) + "; all was saved"});
+  const std::string wide = wide_enclosures_text(report);
+  if (report.matrix.missed.pairs == 0 && wide.empty()) return 0;
+  std::string what = report.matrix.missed.pairs > 0 ? missed_tolerance_text(report) : "";
+  if (!wide.empty()) what += (what.empty() ? "" : "; ") + wide;
+  return fail(err, kName, {ErrorCode::not_converged, what + "; all was saved"});
 }
 
 }  // namespace

@@ -82,7 +82,8 @@ Json missed_json(const MissedTolerance& missed) {
 
 const char* status(const SolveReport& report) {
   if (!is_solved(report)) return "stopped";
-  return report.matrix.missed.pairs > 0 ? "tolerance missed" : "solved";
+  const bool wide = report.certified && report.certified->wide > 0;
+  return wide || report.matrix.missed.pairs > 0 ? "tolerance missed" : "solved";
 }
 
 Json channel_summary(const ChannelRadiosity& channel) {
@@ -105,6 +106,7 @@ Json certified_json(const SolveReport& report) {
                    {"clear", factors.pairs.clear},
                    {"obstructed", factors.pairs.obstructed},
                    {"wider_than_asked", factors.wide}};
+  json["asked"] = {{"free", kCertifiedFree}, {"obstructed", report.certify_tolerance}};
   json["widest_form_factor"] = {{"width", factors.widest}, {"elements", {factors.from, factors.to}}};
   for (std::size_t c = 0; report.enclosure && c < 3; ++c) {
     json["channels"][kChannels[c]] = {{"widest_interval", report.enclosure->widest[c]},
@@ -262,6 +264,16 @@ std::string missed_tolerance_text(const SolveReport& report) {
          "elements are known less well than --tolerance " + rounded(report.tolerance.obstructed.relative) +
          " asks; worst between " + between(report, missed.first, missed.second) + ": known to within " +
          rounded(missed.bound) + ", asked " + rounded(missed.allowed);
+}
+
+std::string wide_enclosures_text(const SolveReport& report) {
+  if (!report.certified || report.certified->wide == 0) return {};
+  const CertifiedFactors& factors = *report.certified;
+  return "tolerance not reached: the enclosures of the form factors of " + std::to_string(factors.wide) +
+         " pairs of elements are wider than asked (--certify-tolerance " + rounded(report.certify_tolerance) +
+         ", where nothing is in between " + rounded(kCertifiedFree) + "); the widest, between " +
+         between(report, factors.from, factors.to) + ", has the width " + rounded(factors.widest) +
+         "; the intervals hold all the same";
 }
 
 std::string summary_json(const SolveReport& report) {

@@ -26,7 +26,8 @@ struct SolveReport {
   std::optional<SceneRadiosity> solution;     ///< nothing when stopped before; of some channels when stopped on the way
   std::optional<CertifiedFactors> certified;  ///< asked for by --certify
   std::optional<CertifiedRadiosity> enclosure;
-  std::string not_certified;  ///< why there is none although it was asked for
+  std::string not_certified;     ///< why there is none although it was asked for
+  double certify_tolerance = 0;  ///< relative half width asked of enclosures past obstructions
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;
@@ -38,6 +39,8 @@ struct SolveReport {
 
 /// How many pairs miss the tolerance, which is the worst, what was reached and what was asked.
 [[nodiscard]] std::string missed_tolerance_text(const SolveReport& report);
+/// How many enclosures are wider than was asked; empty where none is, or none was asked for.
+[[nodiscard]] std::string wide_enclosures_text(const SolveReport& report);
 
 /// The summary as a person reads it.
 void print_summary(std::ostream& out, const SolveReport& report);

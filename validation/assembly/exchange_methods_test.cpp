@@ -161,14 +161,15 @@ TEST(ExchangeMethods, DoNotRepairWhatIsOpen) {
 }
 
 // CLAIM      Dropping sets to zero the pairs below the threshold and no others, says which row loses most, and leaves every
-//            value within its bound; the matrix it was copied from stays.
+//            value within its bound.
 // ORACLE     exact: the pairs, compared in the test.
 // TOLERANCE  none; the share that a row loses: 200 roundings.
 TEST(ExchangeMethods, DropOnlyWhatIsSmall) {
   proves({}, Oracle::exact, "the pairs, compared in the test");
   const ElementMesh mesh = turned_room(3);
-  const ExchangeMatrix whole = filled(mesh, ExactExchange(mesh, {{1e-6, 1e-9}, {1e-6, 1e-9}}));
-  ExchangeMatrix sparse = in_memory(whole);
+  const ExactExchange method(mesh, {{1e-6, 1e-9}, {1e-6, 1e-9}});
+  const ExchangeMatrix whole = filled(mesh, method);
+  ExchangeMatrix sparse = filled(mesh, method);
   constexpr double kThreshold = 0.01;
   const DropReport report = drop_below(sparse, kThreshold);
   std::size_t pairs = 0;

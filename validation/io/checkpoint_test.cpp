@@ -4,6 +4,7 @@
 #include <atomic>
 #include <fstream>
 
+#include "etendue/assembly/drop.hpp"
 #include "etendue/assembly/exact_exchange.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
@@ -116,6 +117,29 @@ TEST(Checkpoint, RefusesWhatItWasNotBegunWith) {
   EXPECT_TRUE(says(message(model, "test", CheckpointStart::resume), "is no checkpoint"));
   std::ofstream(path) << "another file";
   EXPECT_TRUE(says(message(model, "test", CheckpointStart::resume), "is no checkpoint"));
+}
+
+// CLAIM      What is dropped from a detached matrix is dropped there only: the checkpoint keeps what was computed, sound.
+// ORACLE     metamorphic: the matrix made in memory.
+// TOLERANCE  none: equality of doubles.
+TEST(Checkpoint, KeepsWhatADetachedMatrixDrops) {
+  proves({}, Oracle::metamorphic, "the matrix made at once, in memory");
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "room.checkpoint";
+  const SurfaceModel model = model_of_room(0.8);
+  const ExchangeMatrix whole = in_memory(model);
+  {
+    auto finished = advanced(path, model, 100000, CheckpointStart::fresh);
+    ASSERT_TRUE(finished.ok() && finished->complete());
+    ExchangeMatrix sparse = std::move(finished).value();
+    ASSERT_TRUE(sparse.detach().ok());
+    EXPECT_GT(drop_below(sparse, 0.01).pairs, 10u);
+    EXPECT_TRUE(holds(sparse.complete() && !same(sparse, whole)));
+  }
+  const auto again = advanced(path, model, 0, CheckpointStart::resume);
+  ASSERT_TRUE(again.ok());
+  EXPECT_TRUE(again->complete());
+  EXPECT_TRUE(holds(same(*again, whole)));
 }
 
 }  // namespace

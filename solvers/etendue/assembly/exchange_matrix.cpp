@@ -77,19 +77,11 @@ ExchangeStorage storage_in_memory(const TileLayout& layout) {
   const std::size_t cells = layout.tiles() * layout.cells();
   auto memory = std::make_shared<Memory>(
       Memory{std::vector<double>(cells), std::vector<float>(cells), std::vector<TileRecord>(layout.tiles())});
-  return {memory->exchanges, memory->bounds, memory->records, memory};
+  return {memory->exchanges, memory->bounds, memory->records, memory, {}};
 }
 
 std::size_t exchange_bytes(const TileLayout& layout) {
   return layout.tiles() * (layout.cells() * (sizeof(double) + sizeof(float)) + sizeof(TileRecord));
-}
-
-ExchangeMatrix in_memory(const ExchangeMatrix& matrix) {
-  ExchangeMatrix copy(matrix.areas());
-  std::copy(matrix.storage_.exchanges.begin(), matrix.storage_.exchanges.end(), copy.storage_.exchanges.begin());
-  std::copy(matrix.storage_.bounds.begin(), matrix.storage_.bounds.end(), copy.storage_.bounds.begin());
-  std::copy(matrix.storage_.records.begin(), matrix.storage_.records.end(), copy.storage_.records.begin());
-  return copy;
 }
 
 ExchangeMatrix::ExchangeMatrix(std::vector<double> areas)

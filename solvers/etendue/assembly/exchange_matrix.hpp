@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "etendue/core/bounded.hpp"
+#include "etendue/core/result.hpp"
 #include "etendue/core/rounding.hpp"
 
 namespace etendue {
@@ -76,6 +78,7 @@ struct ExchangeStorage {
   std::span<float> bounds;        ///< the same
   std::span<TileRecord> records;  ///< TileLayout::tiles()
   std::shared_ptr<void> keeper;
+  std::function<Result<Done>()> detach;  ///< from now on what is changed does not reach the file; empty: there is none
 };
 [[nodiscard]] ExchangeStorage storage_in_memory(const TileLayout& layout);
 
@@ -116,13 +119,16 @@ class ExchangeMatrix {
   bool sound(std::size_t tile) const;
   /// Forgets a tile that is not sound.
   void reopen(std::size_t tile);
+  /// From now on changes stay in memory: a file keeps what it holds. Takes memory for what is changed only.
+  ///
+  /// Errors    input_output, of the file
+  [[nodiscard]] Result<Done> detach() { return storage_.detach ? storage_.detach() : Done{}; }
   std::size_t tiles_done() const;
   bool complete() const { return tiles_done() == layout_.tiles(); }
   /// The sum over all tiles that are done, in their order.
   TileReport report() const;
 
  private:
-  friend ExchangeMatrix in_memory(const ExchangeMatrix& matrix);
   /// Roundings on the way of a bound into its float and out again: a division, a product, each side.
   static constexpr double kBoundRounding = 1 + 8 * kUnitRoundoff;
 
@@ -133,9 +139,6 @@ class ExchangeMatrix {
   TileLayout layout_;
   ExchangeStorage storage_;
 };
-
-/// A copy with memory of its own, to be changed.
-[[nodiscard]] ExchangeMatrix in_memory(const ExchangeMatrix& matrix);
 
 /// Bytes that a matrix of n surfaces takes.
 [[nodiscard]] std::size_t exchange_bytes(const TileLayout& layout);

@@ -56,13 +56,6 @@ bool pierces(const CurvedPatch& body, const CurvedPatch& other) {
   return false;  // so slowly that they touch at most
 }
 
-/// A flat surface's plane: a point and the normal.
-std::optional<Plane> plane_of(const CurvedPatch& shape) {
-  if (const auto* polygon = std::get_if<Polygon>(&shape)) return Plane{polygon->centroid(), polygon->normal()};
-  if (const auto* disc = std::get_if<Disc>(&shape)) return Plane{disc->centre, disc->normal};
-  return std::nullopt;
-}
-
 /// Two sides of one plate, or of two that lie on one another.
 bool back_to_back(const CurvedPatch& first, const CurvedPatch& second) {
   const auto a = plane_of(first), b = plane_of(second);

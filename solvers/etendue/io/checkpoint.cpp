@@ -217,6 +217,14 @@ Result<ExchangeMatrix> open_checkpoint(const fs::path& path, const CheckpointKey
   storage.exchanges = {reinterpret_cast<double*>(at + layout.tiles() * sizeof(TileRecord)), cells};
   storage.bounds = {reinterpret_cast<float*>(at + layout.tiles() * sizeof(TileRecord) + cells * sizeof(double)), cells};
   storage.keeper = mapping;
+  // In its place, so that what points into it stays.
+  storage.detach = [whole = mapping.get(), path]() -> Result<Done> {
+    if (::msync(whole->data, whole->size, MS_SYNC) != 0) return failure(path, reason(errno));
+    constexpr int kKind = MAP_PRIVATE | MAP_FIXED;
+    const void* placed = ::mmap(whole->data, whole->size, PROT_READ | PROT_WRITE, kKind, whole->file, 0);
+    if (placed == MAP_FAILED) return failure(path, "cannot map it: " + reason(errno));
+    return Done{};
+  };
   ExchangeMatrix matrix(std::move(areas), std::move(storage));
   for (std::size_t tile = 0; tile < layout.tiles(); ++tile) {
     if (matrix.done(tile) && !matrix.sound(tile)) matrix.reopen(tile);
