@@ -14,54 +14,72 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr int kQuarters = 4;
 
-using Loop3 = std::vector<Vec3>;
-
 /// Nearer to a plane than this share of their distance from the origin, things stand on it.
 constexpr double kStanding = 0x1p-40;
 
-struct Parts {
-  Loop3 outside, inside;
+/// A flat patch in coordinates of its own: `part`, around `origin`.
+struct Flat {
+  Vec3 origin, normal;
+  TangentFrame frame;
+  FlatPart part;
+
+  Vec2 in(const Vec3& p) const { return along(p - origin); }
+  Vec2 along(const Vec3& way) const { return {way.dot(frame.u), way.dot(frame.v)}; }
+  Vec3 out(const Vec2& p) const { return origin + p.x() * frame.u + p.y() * frame.v; }
+  std::pair<FlatPart, FlatPart> split(const FlatPart& some, const Plane& plane) const {
+    return some.split(along(plane.normal), (plane.point - origin).dot(plane.normal));
+  }
 };
-/// A convex loop, cut by the line through `point` across `outward`. What is nearer than rounding counts as on the line.
-Parts split(const Loop3& loop, const Vec3& point, const Vec3& outward) {
-  Parts parts;
-  std::vector<double> heights;
-  double extent = 0;
-  for (const Vec3& v : loop) extent = std::max(extent, (v - point).norm());
-  for (const Vec3& v : loop) {
-    const double height = (v - point).dot(outward);
-    heights.push_back(std::abs(height) <= kStanding * extent ? 0 : height);
+
+Flat flat_of(const CurvedPatch& patch) {
+  if (const auto* disc = std::get_if<Disc>(&patch)) {
+    return {disc->centre, disc->normal, tangent_frame(disc->normal), FlatPart::disc(disc->radius)};
   }
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const std::size_t next = (k + 1) % loop.size();
-    if (heights[k] >= 0) parts.outside.push_back(loop[k]);
-    if (heights[k] <= 0) parts.inside.push_back(loop[k]);
-    if (heights[k] * heights[next] < 0) {
-      const Vec3 crossing = (heights[next] * loop[k] - heights[k] * loop[next]) / (heights[next] - heights[k]);
-      parts.outside.push_back(crossing);
-      parts.inside.push_back(crossing);
-    }
-  }
-  if (loop.empty()) return parts;
-  // What only touches the line has no area.
-  if (*std::max_element(heights.begin(), heights.end()) <= 0) parts.outside.clear();
-  if (*std::min_element(heights.begin(), heights.end()) >= 0) parts.inside.clear();
-  return parts;
+  const auto& polygon = std::get<Polygon>(patch);
+  Flat flat{polygon.centroid(), polygon.normal(), tangent_frame(polygon.normal()), {}};
+  std::vector<Vec2> corners;
+  for (const Vec3& vertex : polygon.vertices()) corners.push_back(flat.in(vertex));
+  flat.part = FlatPart::polygon(std::move(corners));
+  return flat;
 }
 
-Loop3 square_around(const Footprint& circle, const Vec3& normal) {
-  constexpr double kWider = 1.25;  // so that the charts between circle and square keep a width
-  const TangentFrame frame = tangent_frame(normal);
-  const Vec3 u = kWider * circle.radius * frame.u, v = kWider * circle.radius * frame.v;
+/// Cuts off what lies beyond an edge of a convex loop after the other: all that goes to `rest`. What is left is inside.
+FlatPart inside_of(FlatPart part, std::span<const Vec2> loop, std::vector<FlatPart>& rest) {
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const Vec2 edge = loop[(k + 1) % loop.size()] - loop[k], outward(edge.y(), -edge.x());
+    auto [outside, inside] = part.split(outward, outward.dot(loop[k]));
+    if (!outside.empty()) rest.push_back(std::move(outside));
+    part = std::move(inside);
+  }
+  return part;
+}
+
+std::vector<Vec2> square_around(const FlatCircle& circle) {
+  constexpr double kWider = 1.25;  // so that the wedges between circle and square keep a width
+  const Vec2 u(kWider * circle.radius, 0), v(0, kWider * circle.radius);
   return {circle.centre - u - v, circle.centre + u - v, circle.centre + u + v, circle.centre - u + v};
 }
 
-bool holds_circle(const Loop3& loop, const Vec3& normal, const Footprint& circle) {
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec3 inward = normal.cross(loop[(k + 1) % loop.size()] - loop[k]).normalized();
-    if ((circle.centre - loop[k]).dot(inward) <= circle.radius) return false;
+/// So that no part meets two circles: cut where both are equally far.
+std::vector<FlatPart> parted(std::vector<FlatPart> parts, const std::vector<FlatCircle>& circles) {
+  for (std::size_t i = 0; i < circles.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec2 way = circles[j].centre - circles[i].centre;
+      if (way.isZero(0)) continue;
+      const double share = 0.5 * (1 + (circles[i].radius - circles[j].radius) *
+                                          (circles[i].radius + circles[j].radius) / way.squaredNorm());
+      std::vector<FlatPart> halves;
+      for (const FlatPart& part : parts) {
+        auto [beyond, before] = part.meets(circles[i]) && part.meets(circles[j])
+                                    ? part.split(way, way.dot(circles[i].centre + share * way))
+                                    : std::pair(part, FlatPart());
+        if (!beyond.empty()) halves.push_back(std::move(beyond));
+        if (!before.empty()) halves.push_back(std::move(before));
+      }
+      parts = std::move(halves);
+    }
   }
-  return true;
+  return parts;
 }
 
 /// A frame with `axis` whose u points as nearly as it can towards `towards`.
@@ -91,72 +109,59 @@ void PatchChart::add(std::span<const Vec3> v, const Vec3& normal, std::vector<Pa
   }
 }
 
-// From the circle to each edge, along the rays from its centre.
-void PatchChart::add_around(std::span<const Vec3> v, const Vec3& normal, const Footprint& circle,
-                            std::vector<PatchChart>& charts) {
-  for (std::size_t k = 0; k < v.size(); ++k) {
-    PatchChart chart(Kind::around);
-    chart.a_ = circle.centre, chart.b_ = v[k] - circle.centre, chart.c_ = v[(k + 1) % v.size()] - v[k];
-    chart.normal_ = normal;
-    chart.inner_ = circle.radius;
-    charts.push_back(chart);
-  }
-}
-
-std::vector<PatchChart> PatchChart::of(const Polygon& polygon, const PatchCuts& cuts) {
-  std::vector<PatchChart> charts;
-  std::vector<Loop3> parts{polygon.vertices()};
-  const Vec3& normal = polygon.normal();
-  for (const Plane& front : cuts.fronts) parts.front() = split(parts.front(), front.point, front.normal).outside;
-  for (const Plane& parting : cuts.partings) {
-    std::vector<Loop3> halves;
-    for (const Loop3& part : parts) {
-      auto [outside, inside] = split(part, parting.point, parting.normal);
-      if (outside.size() >= 3) halves.push_back(std::move(outside));
-      if (inside.size() >= 3) halves.push_back(std::move(inside));
-    }
-    parts = std::move(halves);
-  }
-  for (const Footprint& footprint : cuts.footprints) {
-    const Loop3 hole = footprint.loop.empty() ? square_around(footprint, normal) : footprint.loop;
-    std::vector<Loop3> rest;
-    for (Loop3& part : parts) {
-      for (std::size_t k = 0; k < hole.size() && part.size() >= 3; ++k) {
-        const Vec3 outward = (hole[(k + 1) % hole.size()] - hole[k]).cross(normal).normalized();
-        auto [outside, inside] = split(part, hole[k], outward);
-        if (outside.size() >= 3) rest.push_back(std::move(outside));
-        part = std::move(inside);
-      }
-      // Of a circle's square only what is whole has the ring cut out; what is left of another is dark in part.
-      if (part.size() < 3 || !footprint.loop.empty()) continue;
-      if (holds_circle(part, normal, footprint)) {
-        add_around(part, normal, footprint, charts);
-      } else {
-        rest.push_back(std::move(part));
-      }
-    }
+std::vector<PatchChart> PatchChart::of_flat(const CurvedPatch& patch, const PatchCuts& cuts) {
+  const Flat flat = flat_of(patch);
+  std::vector<FlatPart> parts{flat.part};
+  for (const Plane& front : cuts.fronts) parts.front() = flat.split(parts.front(), front).first;
+  const auto replace_parts = [&parts](const auto& pieces_of) {
+    std::vector<FlatPart> rest;
+    for (FlatPart& part : parts) pieces_of(std::move(part), rest);
     parts = std::move(rest);
+  };
+  for (const Plane& parting : cuts.partings) {
+    replace_parts([&](const FlatPart& part, std::vector<FlatPart>& rest) {
+      auto [beyond, before] = flat.split(part, parting);
+      if (!beyond.empty()) rest.push_back(std::move(beyond));
+      if (!before.empty()) rest.push_back(std::move(before));
+    });
   }
-  for (const Loop3& part : parts) add(part, normal, charts);
-  return charts;
-}
-
-std::vector<PatchChart> PatchChart::of(const Disc& disc, std::span<const Footprint> footprints) {
-  std::vector<PatchChart> charts;
-  const TangentFrame frame = tangent_frame(disc.normal);
-  for (int k = 0; k < kQuarters; ++k) {
-    PatchChart chart(Kind::disc);
-    chart.a_ = disc.centre, chart.b_ = frame.u, chart.c_ = frame.v, chart.normal_ = disc.normal;
-    chart.radius_ = disc.radius;
-    chart.turn_ = k * kPi / 2, chart.turns_ = kPi / 2;
-    for (const Footprint& circle : footprints) {
-      if (!circle.loop.empty() || (circle.centre - disc.centre).norm() + circle.radius > disc.radius) continue;
-      chart.kind_ = Kind::ring;
-      chart.d_ = disc.centre - circle.centre;
-      chart.a_ = circle.centre;
-      chart.inner_ = circle.radius;
-      break;
+  std::vector<FlatCircle> circles;
+  for (const Footprint& footprint : cuts.footprints) {
+    if (footprint.loop.empty()) {
+      circles.push_back({flat.in(footprint.centre), footprint.radius});
+      continue;
     }
+    std::vector<Vec2> loop;
+    for (const Vec3& corner : footprint.loop) loop.push_back(flat.in(corner));
+    replace_parts([&](FlatPart part, std::vector<FlatPart>& rest) { inside_of(std::move(part), loop, rest); });
+  }
+  std::vector<Wedge> wedges;
+  parts = parted(std::move(parts), circles);
+  for (const FlatCircle& circle : circles) {
+    replace_parts([&](FlatPart part, std::vector<FlatPart>& rest) {
+      if (!part.meets(circle)) {
+        rest.push_back(std::move(part));
+        return;
+      }
+      const FlatPart near = inside_of(std::move(part), square_around(circle), rest);
+      for (const Wedge& wedge : near.wedges(circle.centre, circle.radius)) wedges.push_back(wedge);
+    });
+  }
+  std::vector<PatchChart> charts;
+  for (const FlatPart& part : parts) {
+    if (part.empty()) continue;
+    if (!part.straight()) {
+      for (const Wedge& wedge : part.wedges(part.middle(), 0)) wedges.push_back(wedge);
+      continue;
+    }
+    std::vector<Vec3> corners;
+    for (const Vec2& corner : part.corners()) corners.push_back(flat.out(corner));
+    add(corners, flat.normal, charts);
+  }
+  for (const Wedge& wedge : wedges) {
+    PatchChart chart(Kind::wedge);
+    chart.a_ = flat.out(wedge.apex), chart.b_ = flat.frame.u, chart.c_ = flat.frame.v, chart.normal_ = flat.normal;
+    chart.wedge_ = wedge;
     charts.push_back(chart);
   }
   return charts;
@@ -187,26 +192,37 @@ std::vector<PatchChart> PatchChart::of(const Sphere& sphere, const Vec3& towards
   return charts;
 }
 
-std::vector<PatchChart> PatchChart::of(const Cylinder& cylinder, const Vec3& towards) {
+// As with a sphere: at the angle θ from the lateral direction to the ball its middle is D cos θ − R above the horizon.
+std::vector<PatchChart> PatchChart::of(const Cylinder& cylinder, const Vec3& towards, double size) {
   std::vector<PatchChart> charts;
-  const Vec3 axis = (cylinder.top - cylinder.base).normalized();
-  const TangentFrame frame = frame_towards(axis, towards - cylinder.base);
-  for (int k = 0; k < kQuarters; ++k) {
+  const Vec3 axis = (cylinder.top - cylinder.base).normalized(), way = towards - cylinder.base;
+  const TangentFrame frame = frame_towards(axis, way);
+  const double distance = (way - way.dot(axis) * axis).norm();
+  const auto reach = [&](double height) { return std::acos(std::clamp(height / distance, -1.0, 1.0)); };
+  const double whole = distance > 0 ? reach(cylinder.radius + size) : 0;
+  const double none = distance > 0 ? reach(cylinder.radius - size) : kPi;
+  const auto add_wall = [&](double from, double to) {
     PatchChart chart(Kind::wall);
     chart.a_ = cylinder.base, chart.b_ = frame.u, chart.c_ = frame.v, chart.d_ = cylinder.top - cylinder.base;
     chart.radius_ = cylinder.radius;
-    chart.turn_ = (k - 2) * kPi / 2, chart.turns_ = kPi / 2;
+    chart.turn_ = from, chart.turns_ = to - from;
     charts.push_back(chart);
+  };
+  for (const auto& [from, to] : {std::pair(0.0, whole), std::pair(whole, none)}) {
+    const int parts = to - from > kPi / 2 ? 2 : 1;
+    for (int k = 0; k < parts && to > from; ++k) {
+      const double begin = from + k * (to - from) / parts, end = from + (k + 1) * (to - from) / parts;
+      add_wall(begin, end), add_wall(-end, -begin);
+    }
   }
   return charts;
 }
 
 std::vector<PatchChart> PatchChart::covering(const CurvedPatch& patch, const Vec3& towards, double size,
                                              const PatchCuts& cuts) {
-  if (const auto* polygon = std::get_if<Polygon>(&patch)) return of(*polygon, cuts);
-  if (const auto* disc = std::get_if<Disc>(&patch)) return of(*disc, cuts.footprints);
   if (const auto* sphere = std::get_if<Sphere>(&patch)) return of(*sphere, towards, size);
-  return of(std::get<Cylinder>(patch), towards);
+  if (const auto* cylinder = std::get_if<Cylinder>(&patch)) return of(*cylinder, towards, size);
+  return of_flat(patch, cuts);
 }
 
 PatchSpot PatchChart::at(double s, double t) const {
@@ -221,20 +237,11 @@ PatchSpot PatchChart::at(double s, double t) const {
       const Vec3 far = (b_ - a_) + t * (c_ - b_);
       return {a_ + s * far, normal_, s * far.cross(c_ - b_).dot(normal_)};
     }
-    case Kind::disc: {
-      const Vec3 out = std::cos(angle) * b_ + std::sin(angle) * c_;
-      return {a_ + s * radius_ * out, normal_, s * radius_ * radius_ * turns_};
-    }
-    case Kind::around: {
-      const Vec3 out = b_ + t * c_;
-      const double share = inner_ / out.norm(), reach = share + s * (1 - share);
-      return {a_ + reach * out, normal_, (1 - share) * reach * out.cross(c_).dot(normal_)};
-    }
-    case Kind::ring: {
-      const Vec3 rim = radius_ * (std::cos(angle) * b_ + std::sin(angle) * c_), out = d_ + rim;
-      const Vec3 turning = radius_ * turns_ * (std::cos(angle) * c_ - std::sin(angle) * b_);
-      const double share = inner_ / out.norm(), reach = share + s * (1 - share);
-      return {a_ + reach * out, normal_, (1 - share) * reach * out.cross(turning).dot(normal_)};
+    case Kind::wedge: {
+      const double at = wedge_.turn + wedge_.turns * t;
+      const Vec2 way(std::cos(at), std::sin(at));
+      const double from = wedge_.inner.along(way), width = wedge_.outer.along(way) - from, reach = from + s * width;
+      return {a_ + reach * (way.x() * b_ + way.y() * c_), normal_, width * reach * wedge_.turns};
     }
     case Kind::sphere: {
       const double tilt = tilt_ + tilts_ * s, sine = std::sin(tilt);
@@ -248,15 +255,16 @@ PatchSpot PatchChart::at(double s, double t) const {
   }
 }
 
+std::optional<Plane> plane_of(const CurvedPatch& patch) {
+  if (const auto* polygon = std::get_if<Polygon>(&patch)) return Plane{polygon->centroid(), polygon->normal()};
+  if (const auto* disc = std::get_if<Disc>(&patch)) return Plane{disc->centre, disc->normal};
+  return std::nullopt;
+}
+
 void add_footprint(const CurvedPatch& patch, const CurvedBlocker& blocker, std::vector<Footprint>& footprints) {
-  Vec3 point, normal;
-  if (const auto* polygon = std::get_if<Polygon>(&patch)) {
-    point = polygon->centroid(), normal = polygon->normal();
-  } else if (const auto* disc = std::get_if<Disc>(&patch)) {
-    point = disc->centre, normal = disc->normal;
-  } else {
-    return;
-  }
+  const auto plane = plane_of(patch);
+  if (!plane) return;
+  const Vec3 point = plane->point, normal = plane->normal;
   const double size = ball_around(patch).size;
   const auto stands = [&](const Vec3& on) {
     return std::abs((on - point).dot(normal)) <= kStanding * (size + (on - point).norm() + point.cwiseAbs().maxCoeff());
@@ -284,24 +292,21 @@ void add_footprint(const CurvedPatch& patch, const CurvedBlocker& blocker, std::
 
 PatchCuts cuts_of(const CurvedPatch& patch, const CurvedPatch& to, std::span<const CurvedBlocker* const> blockers) {
   PatchCuts cuts;
-  const auto* polygon = std::get_if<Polygon>(&patch);
+  const auto plane = plane_of(patch);
   for (const CurvedBlocker* blocker : blockers) {
     add_footprint(patch, *blocker, cuts.footprints);
     const auto* plate = std::get_if<Blocker>(blocker);
-    if (polygon == nullptr || plate == nullptr || plate->is_solid()) continue;
+    if (!plane || plate == nullptr || plate->is_solid()) continue;
     const Vec3& corner = plate->points()[plate->faces().front().corners.front()];
-    const double slack = kStanding * (ball_around(patch).size + corner.norm() + polygon->centroid().norm());
+    const double slack = kStanding * (ball_around(patch).size + corner.norm() + plane->point.norm());
     int on = 0;
-    for (const Vec3& point : plate->points())
-      on += std::abs((point - polygon->centroid()).dot(polygon->normal())) <= slack;
+    for (const Vec3& point : plate->points()) on += std::abs((point - plane->point).dot(plane->normal)) <= slack;
     if (on > 0) cuts.partings.push_back({corner, plate->faces().front().normal});
   }
   if (const auto* standing = std::get_if<Cylinder>(&to)) {
     add_footprint(patch, CurvedBlocker(*standing), cuts.footprints);
-  } else if (const auto* facing = std::get_if<Polygon>(&to)) {
-    cuts.fronts.push_back({facing->centroid(), facing->normal()});
-  } else if (const auto* disc = std::get_if<Disc>(&to)) {
-    cuts.fronts.push_back({disc->centre, disc->normal});
+  } else if (const auto front = plane_of(to)) {
+    cuts.fronts.push_back(*front);
   }
   return cuts;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "etendue/form_factor/flat_part.hpp"
 #include "etendue/form_factor/view_body.hpp"
 #include "etendue/geometry/plane.hpp"
 
@@ -14,6 +16,9 @@ struct PatchSpot {
   Vec3 normal;
   double area;
 };
+
+/// The plane of a flat patch: a point and the normal.
+[[nodiscard]] std::optional<Plane> plane_of(const CurvedPatch& patch);
 
 /// Where a blocker stands on a flat patch, nothing is seen from there: a convex loop, or, where that is empty, a circle.
 struct Footprint {
@@ -39,27 +44,24 @@ class PatchChart {
  public:
   [[nodiscard]] PatchSpot at(double s, double t) const;
 
-  /// Charts that cover `patch`, turned towards the ball of radius `size` around `towards`: of a sphere only what can see
-  /// some of that ball; of a flat patch not what `cuts` leave out, as far as it is a polygon or the footprint a circle.
+  /// Charts that cover `patch`, turned towards the ball of radius `size` around `towards`: of a sphere or a cylinder only
+  /// what can see some of that ball; of a flat patch not what `cuts` leave out.
   static std::vector<PatchChart> covering(const CurvedPatch& patch, const Vec3& towards, double size,
                                           const PatchCuts& cuts = {});
 
  private:
-  enum class Kind { bilinear, fan, disc, sphere, wall, around, ring };
+  enum class Kind { bilinear, fan, wedge, sphere, wall };
   explicit PatchChart(Kind kind) : kind_(kind) {}
   static void add(std::span<const Vec3> corners, const Vec3& normal, std::vector<PatchChart>& charts);
-  static void add_around(std::span<const Vec3> corners, const Vec3& normal, const Footprint& circle,
-                         std::vector<PatchChart>& charts);
-  static std::vector<PatchChart> of(const Polygon& polygon, const PatchCuts& cuts);
-  static std::vector<PatchChart> of(const Disc& disc, std::span<const Footprint> footprints);
+  static std::vector<PatchChart> of_flat(const CurvedPatch& patch, const PatchCuts& cuts);
   static std::vector<PatchChart> of(const Sphere& sphere, const Vec3& towards, double size);
-  static std::vector<PatchChart> of(const Cylinder& cylinder, const Vec3& towards);
+  static std::vector<PatchChart> of(const Cylinder& cylinder, const Vec3& towards, double size);
 
   Kind kind_;
   Vec3 a_ = Vec3::Zero(), b_ = Vec3::Zero(), c_ = Vec3::Zero(), d_ = Vec3::Zero();  ///< corners; centre, frame
   Vec3 normal_ = Vec3::UnitZ();
   double radius_ = 0;
-  double inner_ = 0;             ///< radius of the circle that is left out
+  Wedge wedge_{};
   double turn_ = 0, turns_ = 0;  ///< first angle around the axis, and how much of it the chart spans
   double tilt_ = 0, tilts_ = 0;  ///< the same from the pole of a sphere
 };

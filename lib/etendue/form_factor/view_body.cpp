@@ -138,63 +138,39 @@ void ViewBody::stand(const Cylinder& cylinder, const Vec3& eye) {
   outward_ = lateral_ > 0 ? Vec3(from_axis / lateral_) : tangent_frame(axis_).u;
 }
 
-namespace {
-
-/// The circle around a cylinder's end and the angle of its silhouettes from the direction of the eye.
-struct Rims {
-  Vec3 base, top, u, v;
-  double angle;
-  void side(double turn, bool upwards, std::vector<ViewCurve>& curves, std::vector<Vec3>& planes) const {
-    const Vec3 rim = std::cos(turn) * u + std::sin(turn) * v;
-    const Vec3 from = (upwards ? base : top) + rim, to = (upwards ? top : base) + rim;
-    curves.push_back(ViewCurve::segment(from, to));
-    planes.push_back((to - from).cross(from));
-  }
-};
-
-}  // namespace
-
-std::optional<ViewBody> ViewBody::filled(const Cylinder& cylinder, const Vec3& eye) {
-  ViewBody body(Kind::filled);
+// Seen from outside the base runs from left to right, the top from right to left: a wall along the near rim, what is
+// filled along the far one where its end is seen.
+std::optional<ViewBody> ViewBody::cylinder(Kind kind, const Cylinder& cylinder, const Vec3& eye) {
+  ViewBody body(kind);
   body.stand(cylinder, eye);
-  const bool below = body.height_ < 0;
+  const bool ends = kind == Kind::filled;
+  const bool below = ends && body.height_ < 0, above = ends && body.height_ > body.length_;
   const Vec3 top = body.centre_ + body.length_ * body.axis_;
   if (body.within_wall()) {
+    if (!ends) return std::nullopt;
     return disc(below ? body.centre_ : top, body.axis_, body.radius_);  // hides what is behind it
   }
   const Vec3 u = body.radius_ * body.outward_, v = body.radius_ * body.axis_.cross(body.outward_);
-  const Rims rims{body.centre_, top, u, v, std::acos(body.radius_ / body.lateral_)};
+  const double angle = std::acos(body.radius_ / body.lateral_);  // of the silhouettes, from the direction of the eye
+  const auto add_side = [&](double turn, bool upwards) {
+    const Vec3 rim = std::cos(turn) * u + std::sin(turn) * v;
+    const Vec3 from = (upwards ? body.centre_ : top) + rim, to = (upwards ? top : body.centre_) + rim;
+    body.outline_.push_back(ViewCurve::segment(from, to));
+    body.planes_.push_back((to - from).cross(from));
+  };
   constexpr double kTurn = 2 * std::numbers::pi;
-  const bool above = body.height_ > body.length_;
-  // Seen from outside the base runs from left to right, the top from right to left: along the near rim, or the far one.
   if (below) {
-    ViewCurve::add_arc(body.centre_, u, -v, rims.angle, kTurn - rims.angle, body.outline_);
+    ViewCurve::add_arc(body.centre_, u, -v, angle, kTurn - angle, body.outline_);
   } else {
-    ViewCurve::add_arc(body.centre_, u, v, -rims.angle, rims.angle, body.outline_);
+    ViewCurve::add_arc(body.centre_, u, v, -angle, angle, body.outline_);
   }
-  rims.side(rims.angle, true, body.outline_, body.planes_);
+  add_side(angle, true);
   if (above) {
-    ViewCurve::add_arc(top, u, v, rims.angle, kTurn - rims.angle, body.outline_);
+    ViewCurve::add_arc(top, u, v, angle, kTurn - angle, body.outline_);
   } else {
-    ViewCurve::add_arc(top, u, -v, -rims.angle, rims.angle, body.outline_);
+    ViewCurve::add_arc(top, u, -v, -angle, angle, body.outline_);
   }
-  rims.side(-rims.angle, false, body.outline_, body.planes_);
-  body.add_cone(body.centre_, body.axis_, body.radius_);
-  body.add_cone(top, body.axis_, body.radius_);
-  return body;
-}
-
-std::optional<ViewBody> ViewBody::wall(const Cylinder& cylinder, const Vec3& eye) {
-  ViewBody body(Kind::wall);
-  body.stand(cylinder, eye);
-  if (body.within_wall()) return std::nullopt;
-  const Vec3 top = body.centre_ + body.length_ * body.axis_;
-  const Vec3 u = body.radius_ * body.outward_, v = body.radius_ * body.axis_.cross(body.outward_);
-  const Rims rims{body.centre_, top, u, v, std::acos(body.radius_ / body.lateral_)};
-  ViewCurve::add_arc(body.centre_, u, v, -rims.angle, rims.angle, body.outline_);
-  rims.side(rims.angle, true, body.outline_, body.planes_);
-  ViewCurve::add_arc(top, u, -v, -rims.angle, rims.angle, body.outline_);
-  rims.side(-rims.angle, false, body.outline_, body.planes_);
+  add_side(-angle, false);
   body.add_cone(body.centre_, body.axis_, body.radius_);
   body.add_cone(top, body.axis_, body.radius_);
   return body;
@@ -210,7 +186,7 @@ std::optional<ViewBody> ViewBody::seen(const CurvedPatch& patch, const Vec3& eye
     if (plate->normal.dot(eye - plate->centre) <= 0) return std::nullopt;
     return disc(plate->centre - eye, plate->normal, plate->radius);
   }
-  return wall(std::get<Cylinder>(patch), eye);
+  return cylinder(Kind::wall, std::get<Cylinder>(patch), eye);
 }
 
 bool ViewBody::add(const CurvedBlocker& blocker, const Vec3& eye, std::vector<ViewBody>& bodies) {
@@ -244,7 +220,7 @@ bool ViewBody::add(const CurvedBlocker& blocker, const Vec3& eye, std::vector<Vi
   body.stand(std::get<Cylinder>(blocker), eye);
   const double slack = kEdgeOn * (body.middle_.norm() + body.size_);
   if (body.within_wall() && body.height_ >= -slack && body.height_ <= body.length_ + slack) return false;
-  keep(filled(std::get<Cylinder>(blocker), eye));
+  keep(cylinder(Kind::filled, std::get<Cylinder>(blocker), eye));
   return true;
 }
 

@@ -59,8 +59,7 @@ class ViewBody {
   static std::optional<ViewBody> solid(const Blocker& blocker, const Vec3& eye);
   static ViewBody sphere(const Vec3& centre, double radius);
   static std::optional<ViewBody> disc(const Vec3& centre, const Vec3& normal, double radius);
-  static std::optional<ViewBody> filled(const Cylinder& cylinder, const Vec3& eye);
-  static std::optional<ViewBody> wall(const Cylinder& cylinder, const Vec3& eye);
+  static std::optional<ViewBody> cylinder(Kind kind, const Cylinder& cylinder, const Vec3& eye);
   void stand(const Cylinder& cylinder, const Vec3& eye);
   void add_cone(const Vec3& centre, const Vec3& normal, double radius);
   void surround(std::span<const Vec3> points);
