@@ -51,8 +51,7 @@ double before_clamping(const FilledShaft& shaft, const ObstructedFormFactor& f, 
 }
 
 // CLAIM      IU.6-4: a value that leaves [0, free] is put back on the nearer end, `clamp` says which and `clamped_by` by how
-//            much, no more than the bound, which holds; a value inside is left alone and nothing is said. No pair is
-//            known whose value exceeds the free factor, so that end is only kept under watch.
+//            much, no more than the bound, which holds; a value inside is left alone and nothing is said.
 // ORACLE     exact: the outer integral refined as often, before it is clamped; the truth is 0.
 // TOLERANCE  kFrame: the tilted frame opens slits of a rounding's width, and two ways into the source's frame differ by
 //            roundings; on the truth, the returned bound as well.
@@ -82,6 +81,51 @@ TEST(ObstructedClamp, SaysWhatItMovedAndByHowMuch) {
   EXPECT_TRUE(all_agree(wrong, decisions));
   EXPECT_GT(seen[static_cast<std::size_t>(Clamp::to_zero)], kShafts / 20);
   EXPECT_GT(seen[static_cast<std::size_t>(Clamp::none)], kShafts);
+}
+
+/// A box with its foot on the unit square z = 0, its lower corner in (x, y).
+Blocker box_on_the_floor(double x, double y, double side, double height) {
+  std::array<Vec3, 8> v;
+  for (std::size_t k = 0; k < 8; ++k) {
+    v[k] = tilted(Vec3(x + (k % 2 == 1 ? side : 0), y + (k / 2 % 2 == 1 ? side : 0), k / 4 == 1 ? height : 0));
+  }
+  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  std::vector<Polygon> faces;
+  for (const auto& face : kFaces) faces.push_back(polygon({v[face[0]], v[face[1]], v[face[2]], v[face[3]]}));
+  return Blocker::solid(faces).value();
+}
+
+// CLAIM      IU.6-4: a value that exceeds the free factor is put back on it, `clamp` says so, and the bound holds: past boxes so
+//            flat and small that they hide less than the quadrature of what is seen errs by.
+// ORACLE     identity: 0 ≤ F_free − F ≤ the box's surface over the source's, since what is hidden passes through it.
+// TOLERANCE  the returned bound, the box's surface, kFrame.
+TEST(ObstructedClamp, HoldsValuesAtTheFreeFactor) {
+  proves({"IU.6-4"}, Oracle::identity, "100 squares with a speck of a box on them, at three tolerances");
+  constexpr double kFrame = 64 * 0x1p-53;
+  uses_seed(kSeed);
+  CounterRandom random(kSeed);
+  std::uint64_t wrong = 0, decisions = 0, acted = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double x = random.between(-1, 1), y = random.between(-1, 1), z = random.between(0.2, 2);
+    const double size = random.between(0.3, 1.5), side = random.scale(1e-8, 1e-2), height = random.scale(1e-8, 1e-4);
+    const double at_x = random.between(0.1, 0.8), at_y = random.between(0.1, 0.8);
+    const Polygon from = tilted(rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+    const Polygon to = tilted(rectangle({x, y, z}, {0, size, 0}, {size, 0, 0}));
+    const Blocker box = box_on_the_floor(at_x, at_y, side, height);
+    const Blocker* const one = &box;
+    const double surface = side * (side + 4 * height);
+    for (const double asked : {0.5, 1e-2, 1e-4}) {
+      const ObstructedFormFactor f = obstructed_form_factor(from, to, {&one, 1}, {asked, 0});
+      EXPECT_TRUE(near(f.value, f.free.value, f.bound + surface + kFrame)) << i << ' ' << asked;
+      wrong += f.clamp == Clamp::to_free && (f.value != f.free.value || !(f.clamped_by > 0 && f.clamped_by <= f.bound));
+      wrong += !(0 <= f.value && f.value <= f.free.value);
+      acted += f.clamp == Clamp::to_free ? 1u : 0u;
+      decisions += 2;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, decisions));
+  EXPECT_GT(acted, 50u);
 }
 
 }  // namespace
