@@ -2,7 +2,6 @@
 #include "etendue/radiosity/form_factors.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -12,53 +11,83 @@ namespace etendue {
 
 namespace {
 
-constexpr Eigen::Index kLanes = 4;       // partial sums of a row: column j belongs to sum j mod 4
-constexpr Eigen::Index kRowsAtOnce = 4;  // they share what is loaded of x
-constexpr Eigen::Index kTile = 512;      // columns whose factors stay in the innermost cache for all channels
-constexpr Eigen::Index kBlocks = 64;     // of rows, the unit that is scheduled
+constexpr Eigen::Index kLanes = 4;           // partial sums of a row: column j belongs to sum j mod 4
+constexpr Eigen::Index kRowsAtOnce = 4;      // they share what is loaded of x
+constexpr Eigen::Index kChannelsAtOnce = 3;  // they share what is loaded of F; more are taken in turns
+constexpr Eigen::Index kBlocks = 64;         // of rows, the unit that is scheduled
 
-using Lanes = Eigen::Array<double, kLanes, 1>;
+/// Four doubles side by side; the compiler takes two or four at a time, as the processor has it. Lane by lane the same
+/// products and sums either way, so the same bits.
+typedef double Lanes __attribute__((vector_size(4 * sizeof(double))));
+/// The same where they lie among other doubles, at any of their addresses.
+typedef double Among __attribute__((vector_size(4 * sizeof(double)), aligned(sizeof(double)), may_alias));
 
-/// The partial sums of some rows, for one channel.
-using Sums = std::array<Lanes, kRowsAtOnce>;
+/// Rows of F, `columns` long and as far apart, and channels of x, as far apart.
+struct Operands {
+  const double* factors;
+  const double* x;
+  Eigen::Index columns;
+};
 
-/// Adds columns [0, count) of some rows, which are `stride` numbers apart. `count` is a multiple of kLanes, but for the last.
-template <Eigen::Index kRows>
-void add_tile(const double* factors, Eigen::Index stride, const double* x, Eigen::Index count, Sums& sums) {
-  std::array<Lanes, static_cast<std::size_t>(kRows)> local;
-  for (Eigen::Index r = 0; r < kRows; ++r) local[static_cast<std::size_t>(r)] = sums[static_cast<std::size_t>(r)];
-  const Eigen::Index whole = count - count % kLanes;
+/// Some rows of F x for some channels, in the fixed order that DenseFactors promises: product[row][channel].
+template <Eigen::Index kRows, Eigen::Index kChannels>
+[[gnu::always_inline]] inline void multiply(const Operands& by, double (&product)[kRowsAtOnce][kChannelsAtOnce]) {
+  Lanes sums[kRowsAtOnce][kChannelsAtOnce] = {};
+  const Eigen::Index n = by.columns, whole = n - n % kLanes;
   for (Eigen::Index j = 0; j < whole; j += kLanes) {
-    const Lanes v = Eigen::Map<const Lanes>(x + j);
+    Lanes v[kChannelsAtOnce];
+    for (Eigen::Index c = 0; c < kChannels; ++c) v[c] = *reinterpret_cast<const Among*>(by.x + c * n + j);
     for (Eigen::Index r = 0; r < kRows; ++r) {
-      local[static_cast<std::size_t>(r)] += Eigen::Map<const Lanes>(factors + r * stride + j) * v;
+      const Lanes f = *reinterpret_cast<const Among*>(by.factors + r * n + j);
+      for (Eigen::Index c = 0; c < kChannels; ++c) sums[r][c] += f * v[c];
     }
   }
-  for (Eigen::Index j = whole; j < count; ++j) {
-    for (Eigen::Index r = 0; r < kRows; ++r) {
-      local[static_cast<std::size_t>(r)](j - whole) += factors[r * stride + j] * x[j];
+  for (Eigen::Index r = 0; r < kRows; ++r) {
+    for (Eigen::Index c = 0; c < kChannels; ++c) {
+      const Lanes& lanes = sums[r][c];  // copied: lanes picked by a variable would keep the sums out of the registers
+      double s[kLanes] = {lanes[0], lanes[1], lanes[2], lanes[3]};
+      for (Eigen::Index j = whole; j < n; ++j) s[j - whole] += by.factors[r * n + j] * by.x[c * n + j];
+      product[r][c] = (s[0] + s[2]) + (s[1] + s[3]);
     }
   }
-  for (Eigen::Index r = 0; r < kRows; ++r) sums[static_cast<std::size_t>(r)] = local[static_cast<std::size_t>(r)];
+}
+
+template <Eigen::Index kRows, Eigen::Index kChannels>
+void multiply_plain(const Operands& by, double (&product)[kRowsAtOnce][kChannelsAtOnce]) {
+  multiply<kRows, kChannels>(by, product);
+}
+
+#if defined(__x86_64__)
+/// AVX2 without FMA: a fused product and sum would have other bits.
+template <Eigen::Index kRows, Eigen::Index kChannels>
+[[gnu::target("avx2")]] void multiply_wide(const Operands& by, double (&product)[kRowsAtOnce][kChannelsAtOnce]) {
+  multiply<kRows, kChannels>(by, product);
+}
+#endif
+
+template <Eigen::Index kRows, Eigen::Index kChannels>
+void multiply_best(const Operands& by, double (&product)[kRowsAtOnce][kChannelsAtOnce]) {
+#if defined(__x86_64__)
+  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  if (wide) return multiply_wide<kRows, kChannels>(by, product);
+#endif
+  multiply_plain<kRows, kChannels>(by, product);
 }
 
 /// Rows [row, row + kRows) of F x into `product`, from row `at` on.
 template <Eigen::Index kRows>
 void multiply_rows(const RowMatrix& factors, Eigen::Index row, const Eigen::MatrixXd& x, Eigen::MatrixXd& product,
-                   Eigen::Index at, std::vector<Sums>& sums) {
-  for (Sums& of_channel : sums) of_channel.fill(Lanes::Zero());
+                   Eigen::Index at) {
   const Eigen::Index n = factors.cols();
-  for (Eigen::Index first = 0; first < n; first += kTile) {
-    const Eigen::Index count = std::min(kTile, n - first);
-    for (Eigen::Index c = 0; c < x.cols(); ++c) {
-      add_tile<kRows>(factors.data() + row * n + first, n, x.data() + c * n + first, count,
-                      sums[static_cast<std::size_t>(c)]);
-    }
-  }
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    for (Eigen::Index r = 0; r < kRows; ++r) {
-      const Lanes& s = sums[static_cast<std::size_t>(c)][static_cast<std::size_t>(r)];
-      product(at + r, c) = (s(0) + s(2)) + (s(1) + s(3));
+  double found[kRowsAtOnce][kChannelsAtOnce];
+  for (Eigen::Index first = 0; first < x.cols(); first += kChannelsAtOnce) {
+    const Operands by{factors.data() + row * n, x.data() + first * n, n};
+    const Eigen::Index channels = std::min(kChannelsAtOnce, x.cols() - first);
+    if (channels == 1) multiply_best<kRows, 1>(by, found);
+    if (channels == 2) multiply_best<kRows, 2>(by, found);
+    if (channels == 3) multiply_best<kRows, 3>(by, found);
+    for (Eigen::Index c = 0; c < channels; ++c) {
+      for (Eigen::Index r = 0; r < kRows; ++r) product(at + r, first + c) = found[r][c];
     }
   }
 }
@@ -114,12 +143,11 @@ DenseFactors::DenseFactors(const Eigen::MatrixXd& factors, Schedule schedule)
 Eigen::MatrixXd DenseFactors::rows_times(const Eigen::MatrixXd& x, Eigen::Index first, Eigen::Index count) const {
   check_rows(*this, x, first, count);
   Eigen::MatrixXd product(count, x.cols());
-  std::vector<Sums> sums(static_cast<std::size_t>(x.cols()));
   Eigen::Index row = 0;
   for (; row + kRowsAtOnce <= count; row += kRowsAtOnce) {
-    multiply_rows<kRowsAtOnce>(factors_, first + row, x, product, row, sums);
+    multiply_rows<kRowsAtOnce>(factors_, first + row, x, product, row);
   }
-  for (; row < count; ++row) multiply_rows<1>(factors_, first + row, x, product, row, sums);
+  for (; row < count; ++row) multiply_rows<1>(factors_, first + row, x, product, row);
   return product;
 }
 
