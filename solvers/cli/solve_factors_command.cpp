@@ -27,8 +27,7 @@
 namespace etendue::cli {
 
 const char* const kSolverHelp =
-    "gauss (own elimination, default), lu (Eigen's), or an iteration: jacobi, gauss-seidel,\n"
-    "southwell (shooting), cg (needs areas), gmres, bicgstab; eigen is lu";
+    "elimination: own (gauss, default) or Eigen's (lu, eigen); the others iterate, cg by areas";
 
 std::vector<std::string> solver_choices() {
   std::vector<std::string> names = solver_names();
