@@ -45,6 +45,17 @@ Parallelogram parallelogram(const Polygon& polygon, std::uint32_t plane) {
   return patch;
 }
 
+namespace {
+
+/// Brings the largest coordinate into [1, 2) without rounding.
+double power_of_two_scale(const std::vector<Vec3>& vertices) {
+  double size = 0;
+  for (const Vec3& p : vertices) size = std::max(size, p.cwiseAbs().maxCoeff());
+  return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> planes_of(const std::vector<Polygon>& polygons) {
   struct Group {
     SharpPlane plane;
@@ -56,11 +67,7 @@ std::vector<std::uint32_t> planes_of(const std::vector<Polygon>& polygons) {
   std::vector<std::uint32_t> planes;
   for (const Polygon& polygon : polygons) {
     const auto& v = polygon.vertices();
-    double size = 0;
-    for (const Vec3& p : v) size = std::max(size, p.cwiseAbs().maxCoeff());
-    const double scale = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
-    SharpPlane own(localised(v, Vec3::Zero(), scale));
-    // Candidates by a rounded normal: a near miss costs time, no more.
+    // Candidates by a rounded normal: a near miss costs time, no more. Only flat ones have a plane that others can lie in.
     constexpr double kDirections = 1 << 16;
     const Vec3& n = polygon.normal();
     auto& candidates =
@@ -70,9 +77,13 @@ std::vector<std::uint32_t> planes_of(const std::vector<Polygon>& polygons) {
     };
     constexpr std::size_t kMostCandidates = 64;
     const auto end = candidates.begin() + static_cast<std::ptrdiff_t>(std::min(candidates.size(), kMostCandidates));
-    const auto found = own.flatness() == 0 ? std::find_if(candidates.begin(), end, in_plane) : end;
+    const auto found = std::find_if(candidates.begin(), end, in_plane);
     planes.push_back(found != end ? found->number : count);
-    if (found == end) candidates.push_back({std::move(own), scale, count++});
+    if (found != end) continue;
+    ++count;
+    const double scale = power_of_two_scale(v);
+    SharpPlane own(localised(v, Vec3::Zero(), scale));
+    if (own.flatness() == 0) candidates.push_back({std::move(own), scale, planes.back()});
   }
   return planes;
 }
