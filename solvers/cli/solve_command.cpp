@@ -20,7 +20,9 @@
 #include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "refined_command.hpp"
 #include "solve_factors_command.hpp"
+#include "solve_parts.hpp"
 #include "solve_report.hpp"
 #include "stop.hpp"
 
@@ -36,6 +38,7 @@ constexpr int kMostSamples = 16;  // a side, 256 a pixel
 struct Request {
   CommonOptions common;
   fs::path scene;
+  std::string method = "full";
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
   double exposure =
@@ -46,27 +49,8 @@ struct Request {
   double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
 
-/// The file's name with another ending; never that of the scene itself, where no name is asked for.
 fs::path named(const Request& request, const char* ending) {
-  std::string stem = output_stem(request.common.output, request.scene).string();
-  std::error_code absent;  // what does not exist is not the scene
-  if (request.common.output.empty() && fs::equivalent(stem + ".json", request.scene, absent)) stem += "-radiosity";
-  return stem + ending;
-}
-
-/// What radiosity leaves out of this scene, one line each.
-std::vector<std::string> left_out(const Scene& scene) {
-  std::vector<std::string> lines;
-  if (!scene.lights.empty()) {
-    lines.push_back(counted(scene.lights.size(), "point or directional light") + ": only surfaces emit here");
-  }
-  for (const Material& material : scene.materials) {
-    if (material.k_s > 0 || material.k_r > 0 || material.k_t > 0) {
-      lines.push_back("k_s, k_r and k_t of material '" + printable(material.name) +
-                      "': every surface is ideally diffuse here");
-    }
-  }
-  return lines;
+  return solution_path(request.common.output, request.scene, ending);
 }
 
 /// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
@@ -124,6 +108,7 @@ Result<Done> check_room(const Request& request, std::size_t elements) {
 void declare(Options& options, Request& request) {
   options.argument("SCENE", "scene file (JSON)", request.scene);
   options.also("--factors FILE --reflectance R --emission E [OPTIONS]");
+  add_method(options, request.method);
   options.choice("--solver", solver_choices(), kSolverHelp, request.solver);
   options.integer("--steps", "N", "most steps of a solver that iterates (default: 100000)", request.steps, 1,
                   1'000'000'000);
@@ -265,6 +250,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
     return word == "--factors" || word.rfind("--factors=", 0) == 0;
   };
   if (std::any_of(arguments.begin(), arguments.end(), without_scene)) return solve_factors(arguments, out, err);
+  if (asks_for_refinement(arguments)) return solve_refined(arguments, out, err);
   Request request;
   Options options(kName, "Solve the radiosity equation of a scene, and show the result.");
   declare(options, request);

@@ -119,25 +119,42 @@ ItemScene::ItemScene(const ElementMesh& mesh) : mesh_(mesh), overlaid_(mesh.face
 
 std::vector<SeenShare> ItemScene::seen_from(const Vec3& point, std::size_t own_face, const PixelProjection& projection,
                                             double turn) const {
+  LookingDesk desk;
+  return seen_from(point, own_face, projection, turn, desk, 1);
+}
+
+std::vector<SeenShare> ItemScene::seen_from(const Vec3& point, std::size_t own_face, const PixelProjection& projection,
+                                            double turn, LookingDesk& desk, int threads) const {
   const Vec3& normal = mesh_.faces[own_face].polygon.normal();
-  std::vector<std::size_t> above;  // the items that reach over the horizon
-  std::vector<char> fronts(mesh_.elements.size(), 0);
+  std::vector<std::size_t>& above = desk.above_;
+  std::vector<char>& fronts = desk.fronts_;
+  std::vector<double>& factors = desk.factors_;
+  above.clear();
+  fronts.assign(mesh_.elements.size(), 0);
+  factors.assign(mesh_.elements.size(), 0.0);
   for (const std::size_t k : drawn_) {
     const auto& v = items_[k].polygon->vertices();
     const bool reaches = std::any_of(v.begin(), v.end(), [&](const Vec3& c) { return normal.dot(c - point) > 0; });
     if (items_[k].face != own_face && reaches) above.push_back(k);
     if (k < fronts.size()) fronts[k] = faces(*items_[k].polygon, point);
   }
-  std::vector<double> factors(mesh_.elements.size(), 0.0);
-  const auto shown = [&](std::int32_t item) {
-    return item != kNoItem && static_cast<std::size_t>(item) < fronts.size() && fronts[static_cast<std::size_t>(item)];
-  };
   const std::vector<PixelView> views = projection.views(point, normal, turn);
-  for (std::size_t view = 0; view < views.size(); ++view) {
-    ItemBuffer buffer(views[view]);
+  while (desk.buffers_.size() < views.size()) desk.buffers_.emplace_back(views[desk.buffers_.size()]);
+  Execution drawing;
+  drawing.threads = threads;
+  parallel_for(views.size(), drawing, [&](std::size_t view) {
+    ItemBuffer& buffer = desk.buffers_[view];
+    buffer.look(views[view]);
     for (const std::size_t k : above) {
       buffer.draw(items_[k].polygon->vertices(), items_[k].polygon->normal(), static_cast<std::int32_t>(k));
     }
+  });
+  const auto shown = [&](std::int32_t item) {
+    return item != kNoItem && static_cast<std::size_t>(item) < fronts.size() && fronts[static_cast<std::size_t>(item)];
+  };
+  // One view after the other: the order of the sums does not depend on threads.
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    const ItemBuffer& buffer = desk.buffers_[view];
     count_pixels(buffer, view, projection, shown, factors);
     for (const std::size_t k : above) {
       if (k < fronts.size() || !faces(*items_[k].polygon, point)) continue;

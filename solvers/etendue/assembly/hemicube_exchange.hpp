@@ -35,6 +35,19 @@ struct SeenShare {
   double factor = 0;  ///< F_iq summed over the pixels that show it
 };
 
+/// What looking from points needs of memory, to be used again and again by one thread at a time.
+class LookingDesk {
+ public:
+  LookingDesk() = default;
+
+ private:
+  friend class ItemScene;
+  std::vector<ItemBuffer> buffers_;  ///< one a view
+  std::vector<std::size_t> above_;   ///< the items that reach over the horizon
+  std::vector<char> fronts_;         ///< does an element show its front?
+  std::vector<double> factors_;      ///< of each element
+};
+
 /// The elements of a scene, to be looked at from points. Faces hide from both sides, elements are seen from the front.
 class ItemScene {
  public:
@@ -43,6 +56,10 @@ class ItemScene {
   /// What is seen from a point of the front of face `own_face`; by number of element.             @eq IU.6.4
   [[nodiscard]] std::vector<SeenShare> seen_from(const Vec3& point, std::size_t own_face,
                                                  const PixelProjection& projection, double turn) const;
+  /// The same bits, in memory of `desk`, each view drawn on one of so many threads (0: all cores).
+  [[nodiscard]] std::vector<SeenShare> seen_from(const Vec3& point, std::size_t own_face,
+                                                 const PixelProjection& projection, double turn, LookingDesk& desk,
+                                                 int threads) const;
 
  private:
   struct Item {

@@ -37,8 +37,10 @@ Vec3 in_axes(const PixelView& view, const Vec3& v) {
   return {view.across.dot(v), view.up.dot(v), view.gaze.dot(v)};
 }
 
-SeenPolygon seen(const PixelView& view, std::span<const Vec3> corners, const Vec3& normal) {
-  SeenPolygon polygon;
+/// Into `polygon`, whose memory is used again.
+void see(SeenPolygon& polygon, const PixelView& view, std::span<const Vec3> corners, const Vec3& normal) {
+  polygon.corners.clear();
+  polygon.edges.clear();
   polygon.normal = in_axes(view, normal);
   polygon.reach = view.eye.cwiseAbs().maxCoeff();
   Vec3 middle = Vec3::Zero();
@@ -48,7 +50,6 @@ SeenPolygon seen(const PixelView& view, std::span<const Vec3> corners, const Vec
     middle += (corner - view.eye) / static_cast<double>(corners.size());
   }
   polygon.height = normal.dot(middle);
-  return polygon;
 }
 
 void find_edges(SeenPolygon& polygon, const PixelView& view) {
@@ -132,9 +133,14 @@ Vec3 PixelView::direction(int column, int row) const {
   return at.x() * across + at.y() * up + gaze;
 }
 
-ItemBuffer::ItemBuffer(const PixelView& view) : view_(view) {
+ItemBuffer::ItemBuffer(const PixelView& view) {
+  look(view);
+}
+
+void ItemBuffer::look(const PixelView& view) {
   require(view.columns > 0 && view.rows > 0 && view.pixel > 0, "ItemBuffer: the view has pixels");
   require(view.across.cross(view.up).dot(view.gaze) > 0, "ItemBuffer: the axes are right-handed");
+  view_ = view;
   const std::size_t count = static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows);
   items_.assign(count, kNoItem);
   inverse_depth_.assign(count, 0.0);
@@ -142,7 +148,8 @@ ItemBuffer::ItemBuffer(const PixelView& view) : view_(view) {
 
 template <class Body>
 void ItemBuffer::cover(std::span<const Vec3> corners, const Vec3& normal, const Body& body) const {
-  SeenPolygon polygon = seen(view_, corners, normal);
+  static thread_local SeenPolygon polygon;  // thousands are drawn: their memory is asked for once a thread
+  see(polygon, view_, corners, normal);
   if (std::abs(polygon.height) <= kEdgeOn * polygon.reach || beside(polygon, view_)) return;
   find_edges(polygon, view_);
   const double share = polygon.height < 0 ? 1 : 1 - kBackShare;
@@ -150,15 +157,29 @@ void ItemBuffer::cover(std::span<const Vec3> corners, const Vec3& normal, const 
   const PixelRange rows = rows_of(polygon, view_);
   for (int row = rows.begin; row < rows.end; ++row) {
     const PixelRange columns = columns_of(polygon, view_, row);
-    for (int column = columns.begin; column < columns.end; ++column) {
+    const auto inside = [&](const Vec2& at) {
+      bool all = true;
+      for (const EdgePlane& edge : polygon.edges) {
+        all = all && edge.plane.x() * at.x() + edge.plane.y() * at.y() + edge.plane.z() + edge.margin >= 0;
+      }
+      return all;
+    };
+    const auto show = [&](int column, const Vec2& at) {
+      const double inverse_depth = inverse.x() * at.x() + inverse.y() * at.y() + inverse.z();
+      if (inverse_depth > 0) body(column, row, inverse_depth);
+    };
+    int begin = columns.begin, end = columns.end;
+    if (view_.window == PixelWindow::rectangle) {
+      // Along a row each edge's sum rises or falls, rounded or not: what is inside lies together.
+      while (begin < end && !inside(view_.sample(begin, row))) ++begin;
+      while (begin < end && !inside(view_.sample(end - 1, row))) --end;
+      for (int column = begin; column < end; ++column) show(column, view_.sample(column, row));
+      continue;
+    }
+    for (int column = begin; column < end; ++column) {
       if (!view_.has(column, row)) continue;
       const Vec2 at = view_.sample(column, row);
-      bool inside = true;
-      for (const EdgePlane& edge : polygon.edges) {
-        inside = inside && edge.plane.x() * at.x() + edge.plane.y() * at.y() + edge.plane.z() + edge.margin >= 0;
-      }
-      const double inverse_depth = inverse.x() * at.x() + inverse.y() * at.y() + inverse.z();
-      if (inside && inverse_depth > 0) body(column, row, inverse_depth);
+      if (inside(at)) show(column, at);
     }
   }
 }

@@ -57,6 +57,8 @@ class ItemBuffer {
  public:
   /// Contract: columns, rows and pixel positive, axes right-handed
   explicit ItemBuffer(const PixelView& view);
+  /// Empties it for another view; memory that is there is used again. Contract: as above
+  void look(const PixelView& view);
   /// Draws a flat convex polygon, front or back. Contract: item ≥ 0, at least three corners, `normal` of length one
   void draw(std::span<const Vec3> corners, const Vec3& normal, std::int32_t item);
   /// Calls visit(column, row) for each pixel that has `item` and whose direction meets the polygon.

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/refinement/adaptive_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace etendue {
+
+namespace {
+
+/// Finds cells by their place.
+class Directory {
+ public:
+  explicit Directory(const AdaptiveMesh& mesh) : mesh_(mesh) {
+    for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+      const Cell& cell = mesh.cells[k];
+      cells_[{cell.face, cell.level, cell.a, cell.b}] = k;
+      deepest_ = std::max(deepest_, cell.level);
+    }
+  }
+
+  /// The cell of this size or larger that covers a place; none: it is covered by smaller ones, or off the face.
+  const std::size_t* covering(std::size_t face, int level, std::int64_t a, std::int64_t b) const {
+    for (; level >= 0; --level, a >>= 1, b >>= 1) {
+      const auto found = cells_.find({face, level, a, b});
+      if (found != cells_.end()) return &found->second;
+    }
+    return nullptr;
+  }
+
+  /// All cells beyond a side of a cell: dx, dy is the direction.
+  std::vector<std::size_t> beyond(std::size_t k, int dx, int dy) const {
+    const Cell& cell = mesh_.cells[k];
+    const AdaptiveMesh::Grid& grid = mesh_.grids[cell.face];
+    std::vector<std::size_t> found;
+    const std::int64_t a = cell.a + dx, b = cell.b + dy;
+    if (a < 0 || b < 0 || a >= std::int64_t{grid.columns} << cell.level || b >= std::int64_t{grid.rows} << cell.level) {
+      return found;
+    }
+    add(found, cell.face, cell.level, a, b, dx, dy);
+    return found;
+  }
+
+ private:
+  /// Adds what covers a place, as far as it touches the side it is looked at from.
+  void add(std::vector<std::size_t>& found, std::size_t face, int level, std::int64_t a, std::int64_t b, int dx,
+           int dy) const {
+    if (const std::size_t* larger = covering(face, level, a, b)) {
+      found.push_back(*larger);
+      return;
+    }
+    if (level >= deepest_) return;  // nothing there
+    for (std::int64_t part = 0; part < 2; ++part) {
+      const std::int64_t x = dx != 0 ? 2 * a + (dx > 0 ? 0 : 1) : 2 * a + part;
+      const std::int64_t y = dy != 0 ? 2 * b + (dy > 0 ? 0 : 1) : 2 * b + part;
+      add(found, face, level + 1, x, y, dx, dy);
+    }
+  }
+
+  const AdaptiveMesh& mesh_;
+  std::map<std::tuple<std::size_t, int, std::int64_t, std::int64_t>, std::size_t> cells_;
+  int deepest_ = 0;
+};
+
+constexpr std::array<std::pair<int, int>, 4> kSides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+
+bool can_split(const AdaptiveMesh& mesh, const Cell& cell) {
+  return mesh.grids[cell.face].divisible && cell.level < kDeepestCell;
+}
+
+/// Also names the larger neighbours of what is to be split, until none is left.
+void keep_balanced(const AdaptiveMesh& mesh, std::vector<bool>& which) {
+  const Directory directory(mesh);
+  std::vector<std::size_t> open;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    which[k] = which[k] && can_split(mesh, mesh.cells[k]);
+    if (which[k]) open.push_back(k);
+  }
+  while (!open.empty()) {
+    const std::size_t k = open.back();
+    open.pop_back();
+    for (const auto& [dx, dy] : kSides) {
+      for (const std::size_t other : directory.beyond(k, dx, dy)) {
+        if (mesh.cells[other].level >= mesh.cells[k].level || which[other]) continue;
+        which[other] = true;
+        open.push_back(other);
+      }
+    }
+  }
+}
+
+// A corner of the grid: the same expression for all cells that meet there. s is a quotient of whole numbers, so that
+// halving changes no bit of it; the rest is as in mesh_elements().
+Vec3 corner(const std::vector<Vec3>& v, const AdaptiveMesh::Grid& grid, int level, std::int64_t a, std::int64_t b) {
+  const double s = static_cast<double>(a) / static_cast<double>(std::int64_t{grid.columns} << level);
+  const double t = static_cast<double>(b) / static_cast<double>(std::int64_t{grid.rows} << level);
+  return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
+}
+
+}  // namespace
+
+AdaptiveMesh adaptive_mesh(const Scene& scene, const ElementMesh& mesh) {
+  AdaptiveMesh adaptive{mesh.faces, {}, {}, mesh.patches};
+  for (const Face& face : mesh.faces) {
+    const auto [columns, rows] = scene.objects[face.object].subdivision.elements;
+    adaptive.grids.push_back({columns, rows, face.polygon.vertices().size() == 4});
+  }
+  std::vector<std::int64_t> next(mesh.faces.size(), 0);
+  for (const Element& element : mesh.elements) {
+    const std::int64_t columns = adaptive.grids[element.face].columns;
+    const std::int64_t at = next[element.face]++;
+    adaptive.cells.push_back({element.face, element.patch, 0, at % columns, at / columns});
+  }
+  return adaptive;
+}
+
+AdaptiveMesh with_halved_singles(const Scene& scene, const AdaptiveMesh& mesh) {
+  std::vector<bool> which;
+  for (const Cell& cell : mesh.cells) {
+    const AdaptiveMesh::Grid& grid = mesh.grids[cell.face];
+    const bool emits = (scene.materials[mesh.faces[cell.face].material].emission > 0).any();
+    which.push_back(grid.columns == 1 && grid.rows == 1 && cell.level == 0 && !emits);
+  }
+  return split(mesh, std::move(which)).mesh;
+}
+
+Result<ElementMesh> elements_of(const AdaptiveMesh& mesh) {
+  ElementMesh elements;
+  elements.faces = mesh.faces;
+  elements.patches = mesh.patches;
+  for (const Cell& cell : mesh.cells) {
+    const Polygon& face = mesh.faces[cell.face].polygon;
+    const AdaptiveMesh::Grid& grid = mesh.grids[cell.face];
+    if (!grid.divisible || (grid.columns == 1 && grid.rows == 1 && cell.level == 0)) {
+      elements.elements.push_back({face, cell.face, cell.patch});
+      continue;
+    }
+    const auto at = [&](std::int64_t a, std::int64_t b) { return corner(face.vertices(), grid, cell.level, a, b); };
+    auto made =
+        Polygon::make({at(cell.a, cell.b), at(cell.a + 1, cell.b), at(cell.a + 1, cell.b + 1), at(cell.a, cell.b + 1)});
+    if (!made) return Error{made.error().code, "an element cannot be divided further: " + made.error().message};
+    elements.elements.push_back({std::move(made).value(), cell.face, cell.patch});
+  }
+  return elements;
+}
+
+SplitMesh split(const AdaptiveMesh& mesh, std::vector<bool> which) {
+  require(which.size() == mesh.cells.size(), "split: yes or no for each cell");
+  keep_balanced(mesh, which);
+  SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches}, {}};
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    const Cell& cell = mesh.cells[k];
+    for (std::int64_t part = 0; part < (which[k] ? 4 : 1); ++part) {
+      result.mesh.cells.push_back(
+          which[k] ? Cell{cell.face, cell.patch, cell.level + 1, 2 * cell.a + part % 2, 2 * cell.b + part / 2} : cell);
+      result.parents.push_back(k);
+    }
+  }
+  return result;
+}
+
+std::vector<Neighbours> neighbours(const AdaptiveMesh& mesh) {
+  const Directory directory(mesh);
+  std::vector<Neighbours> pairs;
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    for (std::size_t side = 0; side < 2; ++side) {  // right and up: each pair once, seen from the left or from below
+      for (const std::size_t other : directory.beyond(k, kSides[side].first, kSides[side].second)) {
+        pairs.push_back({std::min(k, other), std::max(k, other)});
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace etendue

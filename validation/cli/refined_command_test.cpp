@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/furnace_text.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+Ended solve(const std::filesystem::path& scene, std::vector<std::string> more, const ProcessOptions& options = {}) {
+  more.insert(more.begin(), {"solve", scene.string(), "--output", (scene.parent_path() / "out.png").string()});
+  return run_etendue(more, options);
+}
+
+Json report_of(const TemporaryFolder& folder, const std::string& name) {
+  return Json::parse(read_text(folder.path() / name));
+}
+
+/// The furnace with 12 × 12 patches on floor and ceiling: enough that shooting takes a while.
+std::string fine_furnace() {
+  const std::string text =
+      replaced(furnace_text(), "\"elements\": [4, 3]", "\"elements\": [12, 12], \"patches\": [12, 12]");
+  return replaced(text, "\"elements\": [3, 4]", "\"elements\": [12, 12], \"patches\": [12, 12]");
+}
+
+// CLAIM      solve --method progressive|adaptive with exact form factors finds E/(1 − ρ) in the furnace within the bound that it
+//            reports; adaptive divides nothing where nothing changes but single elements.
+// ORACLE     closed form: E/(1 − ρ) on every element.
+// TOLERANCE  the reported bound.
+TEST(RefinedCommand, SolvesTheFurnaceWithinItsBound) {
+  proves({"IU.6.6"}, Oracle::closed_form, "E/(1 − ρ) in the saved report");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("furnace.json", furnace_text());
+  const double expected[] = {3, 8, 10};
+  const char* const channels[] = {"red", "green", "blue"};
+  for (const std::string method : {"progressive", "adaptive"}) {
+    const Ended ended = solve(scene, {"--method", method, "--factors-by", "exact", "--unshot", "1e-6"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json report = report_of(folder, "out.json");
+    EXPECT_EQ(report["status"], "solved");
+    EXPECT_EQ(folder.contents(), "furnace.json out.exr out.json out.png");
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double bound = report["channels"][channels[c]]["bound"].get<double>();
+      EXPECT_TRUE(within(bound, 1e-2));
+      for (const Json& element : report["elements"]) {
+        EXPECT_TRUE(near(element["radiosity"][c].get<double>(), expected[c], bound + 1e-9));
+      }
+    }
+  }
+  const Ended pixels = solve(scene, {"--method", "hemicube", "--resolution", "64"});
+  EXPECT_EQ(pixels.code, 0) << pixels.err;
+  const Json report = report_of(folder, "out.json");
+  EXPECT_EQ(report["form_factors"]["bounded"], false);
+  for (const Json& element : report["elements"]) {  // rows as seen sum to one, so even pixels find this one
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(near(element["radiosity"][c].get<double>(), expected[c], 1e-9));
+  }
+}
+
+// CLAIM      Interrupted, solve --method progressive ends with 6 and saves what is shot; --resume ends in the same bytes as a run that
+//            was not interrupted; so does a run in two parts by --steps. Another scene, or other settings, are refused.
+// ORACLE     identity: equal files.
+// TOLERANCE  none.
+TEST(RefinedCommand, ResumesToTheSameBytes) {
+  proves({"IU.6.6"}, Oracle::identity, "equal files");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("fine.json", fine_furnace());
+  const std::vector<std::string> method{"--method", "progressive", "--resolution", "240", "--unshot", "1e-3"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), method.begin(), method.end());
+    return more;
+  };
+  ASSERT_EQ(solve(scene, with({})).code, 0);
+  const std::string whole = read_text(folder.path() / "out.json");
+  ProcessOptions options;
+  options.interrupt_at = "% unshot";
+  const Ended stopped = solve(scene, with({"--threads", "1"}), options);
+  EXPECT_TRUE(holds(stopped.code == 6)) << stopped.code << stopped.err;
+  const Json part = report_of(folder, "out.incomplete.json");
+  EXPECT_EQ(part["status"], "stopped");
+  EXPECT_LT(part["runs"][0]["steps"], Json::parse(whole)["runs"][0]["steps"]);
+  const Ended resumed = solve(scene, with({"--resume"}));
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == whole));
+  EXPECT_EQ(folder.contents(), "fine.json out.exr out.json out.png");
+
+  EXPECT_EQ(solve(scene, with({"--steps", "7"})).code, 0);
+  EXPECT_EQ(report_of(folder, "out.json")["status"], "steps used up");
+  EXPECT_EQ(solve(scene, with({"--resume"})).code, 0);
+  EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == whole));
+
+  const Ended finer = solve(scene, {"--method", "progressive", "--resolution", "100", "--resume"});
+  EXPECT_TRUE(holds(finer.code == 3 && finer.err.find("found by other settings") != std::string::npos)) << finer.err;
+  const auto changed = folder.add("fine.json", fine_furnace() + "\n");
+  const Ended other = solve(changed, with({"--resume"}));
+  EXPECT_TRUE(holds(other.code == 3 && other.err.find("a solution of another scene") != std::string::npos))
+      << other.err;
+}
+
+// CLAIM      solve --per-light keeps each light's own solution, and --relight combines them as a fresh solve of the scene with those
+//            emissions does; a light that does not exist, and a factor that is none, are refused with 2.
+// ORACLE     metamorphic: a fresh solve.
+// TOLERANCE  the bounds that both report.
+TEST(RefinedCommand, RelightsWhatItSolvedPerLight) {
+  proves({"IU.6-7"}, Oracle::metamorphic, "a fresh solve");
+  const TemporaryFolder folder;
+  const std::string other = "\"other\": {\"k_d\": [0.5, 0.5, 0.5], \"emission\": [2, 4, 6]},\n    \"glowing\": {";
+  const auto scene = folder.add("lit.json", replaced(replaced(furnace_text(), "\"left\", \"material\": \"glowing\"",
+                                                              "\"left\", \"material\": \"other\""),
+                                                     "\"glowing\": {", other));
+  const std::vector<std::string> exact{"--method", "progressive", "--factors-by", "exact", "--unshot", "1e-6"};
+  std::vector<std::string> apart = exact;
+  apart.push_back("--per-light");
+  const Ended both = solve(scene, apart);
+  ASSERT_EQ(both.code, 0) << both.err;
+  const Ended relit = solve(scene, {"--relight", "other=2:0.5:0"});
+  ASSERT_EQ(relit.code, 0) << relit.err;
+  const Json combined = report_of(folder, "out-relit.json");
+  EXPECT_EQ(combined["status"], "relit");
+  EXPECT_EQ(combined["runs"].size(), 2u);
+  folder.add("lit.json", replaced(read_text(scene), "[2, 4, 6]", "[4, 2, 0]"));
+  ASSERT_EQ(solve(scene, exact).code, 0);
+  const Json fresh = report_of(folder, "out.json");
+  const char* const channels[] = {"red", "green", "blue"};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double slack = fresh["channels"][channels[c]]["bound"].get<double>() +
+                         combined["channels"][channels[c]]["bound"].get<double>() + 1e-12;
+    for (std::size_t q = 0; q < fresh["elements"].size(); ++q) {
+      const double expected = fresh["elements"][q]["radiosity"][c].get<double>();
+      EXPECT_TRUE(near(combined["elements"][q]["radiosity"][c].get<double>(), expected, slack));
+    }
+    EXPECT_TRUE(within(slack, 0.01));
+  }
+  EXPECT_EQ(solve(scene, {"--relight", "other=1"}).code, 3) << "the scene was changed";
+  folder.add("lit.json", replaced(read_text(scene), "[4, 2, 0]", "[2, 4, 6]"));
+  ASSERT_EQ(solve(scene, apart).code, 0);
+  for (const std::string wrong : {"lamp=1", "other", "other=-1", "other=1:2", "other=x"}) {
+    const Ended refused = solve(scene, {"--relight", wrong});
+    EXPECT_TRUE(holds(refused.code == 2)) << wrong << ": " << refused.code << refused.err;
+  }
+  for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--method", "hemicube", "--steps", "3"},
+                                               {"--method", "progressive", "--resolution", "63"},
+                                               {"--method", "progressive", "--solve-by", "elimination"},
+                                               {"--method", "adaptive", "--per-light"}}) {
+    EXPECT_TRUE(holds(solve(scene, wrong).code == 2)) << wrong[1];
+  }
+}
+
+}  // namespace
+}  // namespace etendue::validation

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "etendue/meshing/shared_vertices.hpp"
+#include "etendue/refinement/adaptive_radiosity.hpp"
+#include "etendue/view/vertex_radiosity.hpp"
+#include "refinement/shooting_scenes.hpp"
+#include "support/evidence.hpp"
+
+namespace etendue::validation {
+namespace {
+
+/// A floor of reflectance one half, a square lamp above it, and a plate between: all but the floor is black, so that the
+/// floor's irradiance is the lamp's alone.
+struct Penumbra {
+  double lamp_height = 2, plate_height = 0.4;
+  std::array<double, 4> lamp{0.25, 0.75, 0.25, 0.75}, plate{0.35, 0.8, 0.4, 0.7};  // x low, x high, y low, y high
+
+  Scene scene(int cells) const {
+    const auto at = [](const std::array<double, 4>& r, double z) {
+      return quadrilateral({r[0], r[2], z}, {r[0], r[3], z}, {r[1], r[3], z}, {r[1], r[2], z});
+    };
+    Scene made = scene_of(
+        {quadrilateral({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}), at(lamp, lamp_height), at(plate, plate_height)});
+    Material black = made.materials[0];
+    black.name = "black";
+    black.rho = Rgb::Zero();
+    Material shining = black;
+    shining.name = "lamp";
+    shining.emission = Rgb::Constant(100);
+    made.materials.insert(made.materials.end(), {black, shining});
+    made.objects[1].material = 2;
+    made.objects[2].material = 1;
+    made.objects[0].subdivision = {{cells, cells}, {1, 1}};
+    return made;
+  }
+
+  /// Radiosity of the floor at a point, in closed form: the lamp less the part that the plate hides, which from a point is
+  /// a rectangle.
+  double radiosity(double x, double y) const {
+    const double grown = lamp_height / plate_height;
+    const auto shadow = [&](double edge, double own) { return own + grown * (edge - own); };
+    const double hidden_x0 = std::max(lamp[0], shadow(plate[0], x)), hidden_x1 = std::min(lamp[1], shadow(plate[1], x));
+    const double hidden_y0 = std::max(lamp[2], shadow(plate[2], y)), hidden_y1 = std::min(lamp[3], shadow(plate[3], y));
+    const auto seen = [&](double x0, double x1, double y0, double y1) {
+      return x0 < x1 && y0 < y1
+                 ? corner(x1 - x, y1 - y) - corner(x0 - x, y1 - y) - corner(x1 - x, y0 - y) + corner(x0 - x, y0 - y)
+                 : 0;
+    };
+    return 0.5 * 100 * (seen(lamp[0], lamp[1], lamp[2], lamp[3]) - seen(hidden_x0, hidden_x1, hidden_y0, hidden_y1));
+  }
+
+  /// Form factor from a point to a parallel rectangle whose corner is above the point (Howell B-3), odd in both sides.
+  double corner(double a, double b) const {
+    const double u = a / lamp_height, v = b / lamp_height;
+    const double p = std::sqrt(1 + u * u), q = std::sqrt(1 + v * v);
+    return (u / p * std::atan(v / p) + v / q * std::atan(u / q)) / (2 * std::numbers::pi);
+  }
+};
+
+constexpr AssemblyTolerance kGood{{1e-12, 1e-15}, {1e-5, 1e-8}};
+
+FactorsOf exactly() {
+  return [](const PatchModel& model) { return exact_factors(model, kGood); };
+}
+
+AdaptiveSolution adapted(const Scene& scene, const AdaptiveGoal& goal, double unshot = 1e-6) {
+  auto begun = before_adapting(scene, model_of(scene), Beginning::halved_singles);
+  return adapt_by_shooting(scene, *begun, exactly(), goal, {unshot, 100'000, ShotRule::unshot}).value();
+}
+
+/// Root mean square over points of the floor of constant radiosities on the elements less the closed form.
+double error_on_floor(const Penumbra& penumbra, const AdaptiveSolution& solution) {
+  constexpr int kPoints = 96;
+  const Scene scene = penumbra.scene(4);
+  const auto values = radiosities(scene, solution.model, emissions_of(scene, solution.model), solution.state);
+  double sum = 0;
+  for (int b = 0; b < kPoints; ++b) {
+    for (int a = 0; a < kPoints; ++a) {
+      const double x = (a + 0.5) / kPoints, y = (b + 0.5) / kPoints;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const auto& v = solution.model.elements.elements[k].polygon.vertices();
+        if (solution.mesh.cells[k].face != 0 || x < v[0].x() || x >= v[2].x() || y < v[0].y() || y >= v[2].y())
+          continue;
+        const double error = values[k](0) - penumbra.radiosity(x, y);
+        sum += error * error;
+      }
+    }
+  }
+  return std::sqrt(sum / (kPoints * kPoints));
+}
+
+std::size_t floor_elements(const AdaptiveSolution& solution) {
+  return static_cast<std::size_t>(
+      std::count_if(solution.mesh.cells.begin(), solution.mesh.cells.end(), [](const Cell& c) { return c.face == 0; }));
+}
+
+// CLAIM      IU.6.7.2: on a floor with a shadow, adaptive subdivision reaches the error of a uniform division into its smallest
+//            elements, to 10 %, with less than half as many; and the uniform error falls, faster than with order one half.
+// ORACLE     closed form: the lamp's rectangle less the plate's shadow on it, seen from 9,216 points.
+// TOLERANCE  the error a tenth above the uniform one, half its elements; of the order (constants have one on what is smooth at the
+//            elements' scale, one half across a jump) only that it lies between one half and 1.1.
+TEST(AdaptiveRadiosity, NeedsFewerElementsThanUniformForTheSameError) {
+  proves({"IU.6.7.2"}, Oracle::closed_form, "visible part of a rectangle, from each point");
+  const Penumbra penumbra;
+  std::map<int, double> uniform;
+  for (const int cells : {8, 16, 32}) {
+    uniform[cells] = error_on_floor(penumbra, adapted(penumbra.scene(cells), {1e9, 0, 100'000}));
+  }
+  EXPECT_TRUE(near(std::log2(uniform[8] / uniform[32]) / 2, 0.8, 0.3));
+  const AdaptiveSolution solution = adapted(penumbra.scene(8), {0.04, 2, 100'000});
+  EXPECT_TRUE(holds(solution.complete));
+  EXPECT_TRUE(within(error_on_floor(penumbra, solution), 1.1 * uniform[32])) << uniform[8] << ' ' << uniform[16];
+  EXPECT_TRUE(within(static_cast<double>(floor_elements(solution)), 0.5 * 32 * 32));
+}
+
+// CLAIM      IU.6.7.2: elements are quartered where neighbours differ too much, nowhere else, until none do or the levels end;
+//            neighbours' levels differ by one at most; the parts make up their faces.
+// ORACLE     identity: every pair of elements that touch along a side, found by their corners; areas.
+// TOLERANCE  areas: 2^-40 of the face. Differences: the threshold itself.
+TEST(AdaptiveRadiosity, DividesUntilNeighboursAgree) {
+  proves({"IU.6.7.2"}, Oracle::identity, "all touching pairs");
+  const Penumbra penumbra;
+  const Scene scene = penumbra.scene(4);
+  const AdaptiveGoal goal{0.05, 3, 100'000};
+  const AdaptiveSolution solution = adapted(scene, goal);
+  const auto values = radiosities(scene, solution.model, emissions_of(scene, solution.model), solution.state);
+  const auto& elements = solution.model.elements.elements;
+  double white = 0, area = 0, finest = 1;
+  for (std::size_t k = 0; k < elements.size(); ++k) {
+    if (solution.mesh.cells[k].face != 0) continue;
+    white = std::max(white, values[k](0));
+    area += elements[k].polygon.area();
+    finest = std::min(finest, elements[k].polygon.area());
+  }
+  EXPECT_TRUE(near(area, 1, 0x1p-40));
+  EXPECT_TRUE(near(finest, 1.0 / (32 * 32), 0x1p-40)) << "three halvings of a quarter";
+  std::size_t pairs = 0, steep = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    for (std::size_t j = i + 1; j < elements.size(); ++j) {
+      const Cell &a = solution.mesh.cells[i], &b = solution.mesh.cells[j];
+      if (a.face != 0 || b.face != 0) continue;
+      const Vec3 low = elements[i].polygon.vertices()[0].cwiseMax(elements[j].polygon.vertices()[0]);
+      const Vec3 high = elements[i].polygon.vertices()[2].cwiseMin(elements[j].polygon.vertices()[2]);
+      const double wide = high.x() - low.x(), tall = high.y() - low.y();
+      constexpr double kTouch = 1e-9;  // corners are quotients of whole numbers, a few roundings apart at most
+      if (std::min(wide, tall) < -kTouch || std::max(wide, tall) < kTouch || std::min(wide, tall) > kTouch) continue;
+      ++pairs;
+      EXPECT_LE(std::abs(a.level - b.level), 1);
+      const bool differs = std::abs(values[i](0) - values[j](0)) > goal.difference * white;
+      steep += differs;
+      if (differs) {
+        EXPECT_TRUE(a.level == goal.most_levels && b.level == goal.most_levels);
+      }
+    }
+  }
+  const auto found = neighbours(solution.mesh);
+  const auto on_floor = [&](const Neighbours& pair) { return solution.mesh.cells[pair.first].face == 0; };
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(pairs), std::count_if(found.begin(), found.end(), on_floor));
+  EXPECT_GT(pairs, 200u);
+  EXPECT_GE(solution.rounds.size(), 3u);
+}
+
+// CLAIM      IU.6.7.2, IU.6.5: where small elements end on the side of a large one, their corners become its corners: every
+//            side within a face is one of exactly two elements, so an interpolation from corners has no crack and no jump;
+//            the vertices' values are the same from all sides, and a linear radiosity has at a T-vertex the mean of its
+//            three elements, which is exact.
+// ORACLE     identity: sides counted by their end points; a linear function at T-vertices.
+// TOLERANCE  none for sides and values; 4 roundings of values below 8 for the linear function.
+TEST(AdaptiveRadiosity, LeavesNoTVertexInTheDisplay) {
+  proves({"IU.6.7.2", "IU.6.5"}, Oracle::identity, "each inner side has two elements");
+  const Scene scene = scene_of({quadrilateral({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})});
+  AdaptiveMesh mesh = with_halved_singles(scene, adaptive_mesh(scene, *mesh_elements(scene)));
+  for (const std::size_t cell : {std::size_t{0}, std::size_t{3}, std::size_t{5}}) {
+    std::vector<bool> which(mesh.cells.size(), false);
+    which[cell] = true;
+    mesh = split(mesh, which).mesh;
+  }
+  const ElementMesh plain = *elements_of(mesh), shown = with_shared_vertices(plain);
+  using End = std::array<double, 2>;
+  const auto lone_sides = [](const ElementMesh& of) {
+    std::map<std::pair<End, End>, int> sides;
+    for (const Element& element : of.elements) {
+      const auto& v = element.polygon.vertices();
+      for (std::size_t k = 0; k < v.size(); ++k) {
+        const Vec3 &a = v[k], &b = v[(k + 1) % v.size()];
+        const bool border =
+            (a.x() == b.x() && (a.x() == 0 || a.x() == 4)) || (a.y() == b.y() && (a.y() == 0 || a.y() == 4));
+        const End from{a.x(), a.y()}, to{b.x(), b.y()};
+        if (!border) ++sides[{std::min(from, to), std::max(from, to)}];
+      }
+    }
+    std::uint64_t lone = 0;
+    for (const auto& [side, count] : sides) lone += count != 2;
+    return std::pair(lone, static_cast<std::uint64_t>(sides.size()));
+  };
+  EXPECT_GT(lone_sides(plain).first, 5u) << "there are T-vertices";
+  const auto [lone, sides] = lone_sides(shown);
+  EXPECT_TRUE(all_agree(lone, sides));
+
+  std::vector<Rgb> linear;
+  for (const Element& element : shown.elements) {
+    linear.push_back(Rgb::Constant(1 + plain.elements[linear.size()].polygon.centroid().x() +
+                                   0.5 * plain.elements[linear.size()].polygon.centroid().y()));
+    EXPECT_TRUE(near(element.polygon.area(), plain.elements[linear.size() - 1].polygon.area(), 1e-15));
+  }
+  const VertexRadiosities values = vertex_radiosities(shown, linear);
+  std::map<End, double> at;
+  std::uint64_t different = 0, corners = 0;
+  for (std::size_t k = 0; k < shown.elements.size(); ++k) {
+    const auto& v = shown.elements[k].polygon.vertices();
+    for (std::size_t c = 0; c < v.size(); ++c, ++corners) {
+      const double value = values.corners[k][c](0);
+      different += at.emplace(End{v[c].x(), v[c].y()}, value).first->second != value;
+      const auto& own = plain.elements[k].polygon.vertices();
+      if (std::find(own.begin(), own.end(), v[c]) != own.end()) continue;
+      EXPECT_TRUE(near(value, 1 + v[c].x() + 0.5 * v[c].y(), 32 * 0x1p-53)) << "a T-vertex";
+    }
+  }
+  EXPECT_TRUE(all_agree(different, corners));
+}
+
+// CLAIM      IU.6.7.2, IU.6-16: adaptive by shooting, paused anywhere, ends in the same bits; and its radiosities are those of the
+//            full method (patches solved directly, elements gathering) on the same elements.
+// ORACLE     identity for the pauses; another method for the radiosities.
+// TOLERANCE  none for bits; the gap, and 1e-4 of the brightest for factors to 1e-5 found from either side.
+TEST(AdaptiveRadiosity, AgreesWithTheFullMethodAndSurvivesPauses) {
+  proves({"IU.6.7.2", "IU.6-16", "IU.6-18"}, Oracle::program, "elimination");
+  const Scene scene = furnished(2, 1, false);
+  const AdaptiveGoal goal{0.15, 1, 100'000};
+  const FactorsOf factors = [](const PatchModel& model) {
+    return remembered(exact_factors(model, {{1e-10, 1e-13}, {1e-4, 1e-7}}), model.patch_areas.size(), 1 << 24);
+  };
+  const auto begun = before_adapting(scene, model_of(scene), Beginning::halved_singles);
+  const SceneShootingGoal converged{1e-6, 100'000, ShotRule::unshot};
+  const AdaptiveSolution whole = adapt_by_shooting(scene, *begun, factors, goal, converged).value();
+  ASSERT_TRUE(whole.complete);
+  EXPECT_GT(whole.rounds.size(), 1u);
+  AdaptiveSolution paused = *begun;
+  for (std::size_t most = 5; !paused.complete; most += 40) {
+    paused = adapt_by_shooting(scene, paused, factors, goal, {1e-6, most, ShotRule::unshot}).value();
+  }
+  EXPECT_TRUE(holds(same_bits(whole.state, paused.state) && whole.mesh.cells == paused.mesh.cells));
+
+  const AdaptiveSolution full = adapt_by_elimination(scene, *begun, factors, goal).value();
+  ASSERT_TRUE(full.complete);
+  ASSERT_TRUE(holds(full.mesh.cells == whole.mesh.cells));
+  const auto shot = radiosities(scene, whole.model, emissions_of(scene, whole.model), whole.state);
+  const auto solved = radiosities(scene, full.model, emissions_of(scene, full.model), full.state);
+  const Rgb gap = shooting_gap(scene, whole.model, whole.state, true).radiosity;
+  for (std::size_t q = 0; q < shot.size(); ++q) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      EXPECT_TRUE(near(shot[q](c), solved[q](c), gap(c) + full.bound(c) + 1e-4 * 10));
+    }
+  }
+  const Rgb left = (full.state.emitted - full.state.absorbed - full.state.escaped).abs();
+  EXPECT_TRUE(within(left.maxCoeff(), 1e-9 * full.state.emitted.maxCoeff()));
+}
+
+}  // namespace
+}  // namespace etendue::validation
