@@ -14,7 +14,7 @@ namespace {
 // CLAIM      IU.f63, E27: in the room, 100 % of the power is unshot before the first shot, and near 45, 34 and 21 % before the
 //            2nd, 20th and 100th; the second shooter is the top of the taller box. After the first shot no more than the largest
 //            reflectance can be left, so "100 % after 1 step", as printed, is not possible. IU.f62, E26: to 0.1 % it takes
-//            more than a thousand steps, and then what is absorbed is all but 0.1 %.
+//            more than a thousand steps, and then what is absorbed, or was lost into a box, is all but 0.1 %.
 // ORACLE     table: the printed percentages; identity: Σ_q F_jq ρ_q ≤ ρ_max.
 // TOLERANCE  5 percentage points: the text gives neither reflectances nor dimensions (docs/progressive.md).
 TEST(RoomRefinement, LeavesThePrintedSharesBeforeTheShots) {
@@ -35,7 +35,9 @@ TEST(RoomRefinement, LeavesThePrintedSharesBeforeTheShots) {
   const Element& second = model.patches.elements[state.shooters[1]];
   EXPECT_EQ(file.scene.objects[model.patches.face_of(second).object].name, "grey box, top");
   EXPECT_GT(state.steps, 1000u);
-  EXPECT_TRUE(near(state.absorbed.sum() / state.emitted.sum(), 1, 1.001e-3));
+  EXPECT_TRUE(near((state.absorbed + state.escaped).sum() / state.emitted.sum(), 1, 1.001e-3));
+  EXPECT_TRUE(within(state.escaped.sum() / state.emitted.sum(), 1e-4))
+      << "into the boxes, from patches half under them";
 }
 
 // CLAIM      IU.6.7.1, IU.6-19: form factors of patches put together from hemicubes on their elements are nearer to the exact ones
