@@ -48,7 +48,7 @@ fs::path earlier(const RefinedRequest& request) {
   return solution_path(request.common.output, request.scene, ".json");
 }
 
-/// Refuses what this machine cannot hold. Shooting: NOTES.md of refinement §4. Elimination: rows of element × patch twice,
+/// Refuses what this machine cannot hold. Shooting: refinement/NOTES.md §4. Elimination: rows of element × patch twice,
 /// while they grow, and of patches the matrix of one channel three times.
 Result<Done> check_room(const RefinedRequest& request, std::size_t elements, std::size_t patches) {
   constexpr double kBytesAnElement = 1024;

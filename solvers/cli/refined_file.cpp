@@ -33,12 +33,12 @@ void read_run(const Json& run, SceneShooting& state) {
 
 /// The cells of the file, in their order; true when they are those of the report.
 bool read_cells(const Json& elements, AdaptiveMesh& mesh) {
-  std::vector<Cell> cells;
+  std::vector<MeshCell> cells;
   for (const Json& element : elements) {
     const Json& at = element.at("cell");
     cells.push_back({element.at("face").get<std::size_t>(), element.at("patch").get<std::size_t>(), at.at(0).get<int>(),
                      at.at(1).get<std::int64_t>(), at.at(2).get<std::int64_t>()});
-    const Cell& cell = cells.back();
+    const MeshCell& cell = cells.back();
     if (cell.face >= mesh.faces.size() || cell.patch >= mesh.patches || cell.level < 0 || cell.level > kDeepestCell) {
       return false;
     }

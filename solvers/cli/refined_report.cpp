@@ -78,8 +78,7 @@ Json summary(const RefinedReport& report) {
   json["mesh"] = {{"faces", solution.mesh.faces.size()},
                   {"patches", solution.mesh.patches},
                   {"elements", solution.mesh.cells.size()}};
-  json["form_factors"] = {{"bounded", report.bounded},
-                          {"pairs_beyond_tolerance", solution.missed}};
+  json["form_factors"] = {{"bounded", report.bounded}, {"pairs_beyond_tolerance", solution.missed}};
   json["rounds"] = Json::array();
   for (const AdaptiveRound& round : solution.rounds) {
     json["rounds"].push_back(
@@ -118,7 +117,7 @@ Json patch_json(const RefinedReport& report, std::size_t j) {
 Json element_json(const RefinedReport& report, std::size_t k) {
   const AdaptiveSolution& solution = report.solution;
   const Element& element = solution.model.elements.elements[k];
-  const Cell& cell = solution.mesh.cells[k];
+  const MeshCell& cell = solution.mesh.cells[k];
   const Face& face = solution.mesh.faces[element.face];
   const Material& material = report.file.scene.materials[face.material];
   Json json{{"element", k},

@@ -142,9 +142,9 @@ TEST(RefinedCommand, RelightsWhatItSolvedPerLight) {
     EXPECT_TRUE(holds(refused.code == 2)) << wrong << ": " << refused.code << refused.err;
   }
   for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--method", "hemicube", "--steps", "3"},
-                                               {"--method", "progressive", "--resolution", "63"},
-                                               {"--method", "progressive", "--solve-by", "elimination"},
-                                               {"--method", "adaptive", "--per-light"}}) {
+                                                {"--method", "progressive", "--resolution", "63"},
+                                                {"--method", "progressive", "--solve-by", "elimination"},
+                                                {"--method", "adaptive", "--per-light"}}) {
     EXPECT_TRUE(holds(solve(scene, wrong).code == 2)) << wrong[1];
   }
 }

@@ -95,8 +95,8 @@ double error_on_floor(const Penumbra& penumbra, const AdaptiveSolution& solution
 }
 
 std::size_t floor_elements(const AdaptiveSolution& solution) {
-  return static_cast<std::size_t>(
-      std::count_if(solution.mesh.cells.begin(), solution.mesh.cells.end(), [](const Cell& c) { return c.face == 0; }));
+  return static_cast<std::size_t>(std::count_if(solution.mesh.cells.begin(), solution.mesh.cells.end(),
+                                                [](const MeshCell& c) { return c.face == 0; }));
 }
 
 // CLAIM      IU.6.7.2: on a floor with a shadow, adaptive subdivision reaches the error of a uniform division into its smallest
@@ -142,7 +142,7 @@ TEST(AdaptiveRadiosity, DividesUntilNeighboursAgree) {
   std::size_t pairs = 0, steep = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     for (std::size_t j = i + 1; j < elements.size(); ++j) {
-      const Cell &a = solution.mesh.cells[i], &b = solution.mesh.cells[j];
+      const MeshCell &a = solution.mesh.cells[i], &b = solution.mesh.cells[j];
       if (a.face != 0 || b.face != 0) continue;
       const Vec3 low = elements[i].polygon.vertices()[0].cwiseMax(elements[j].polygon.vertices()[0]);
       const Vec3 high = elements[i].polygon.vertices()[2].cwiseMin(elements[j].polygon.vertices()[2]);

@@ -16,7 +16,7 @@ class Directory {
  public:
   explicit Directory(const AdaptiveMesh& mesh) : mesh_(mesh) {
     for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
-      const Cell& cell = mesh.cells[k];
+      const MeshCell& cell = mesh.cells[k];
       cells_[{cell.face, cell.level, cell.a, cell.b}] = k;
       deepest_ = std::max(deepest_, cell.level);
     }
@@ -33,7 +33,7 @@ class Directory {
 
   /// All cells beyond a side of a cell: dx, dy is the direction.
   std::vector<std::size_t> beyond(std::size_t k, int dx, int dy) const {
-    const Cell& cell = mesh_.cells[k];
+    const MeshCell& cell = mesh_.cells[k];
     const AdaptiveMesh::Grid& grid = mesh_.grids[cell.face];
     std::vector<std::size_t> found;
     const std::int64_t a = cell.a + dx, b = cell.b + dy;
@@ -67,7 +67,7 @@ class Directory {
 
 constexpr std::array<std::pair<int, int>, 4> kSides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
-bool can_split(const AdaptiveMesh& mesh, const Cell& cell) {
+bool can_split(const AdaptiveMesh& mesh, const MeshCell& cell) {
   return mesh.grids[cell.face].divisible && cell.level < kDeepestCell;
 }
 
@@ -119,7 +119,7 @@ AdaptiveMesh adaptive_mesh(const Scene& scene, const ElementMesh& mesh) {
 
 AdaptiveMesh with_halved_singles(const Scene& scene, const AdaptiveMesh& mesh) {
   std::vector<bool> which;
-  for (const Cell& cell : mesh.cells) {
+  for (const MeshCell& cell : mesh.cells) {
     const AdaptiveMesh::Grid& grid = mesh.grids[cell.face];
     const bool emits = (scene.materials[mesh.faces[cell.face].material].emission > 0).any();
     which.push_back(grid.columns == 1 && grid.rows == 1 && cell.level == 0 && !emits);
@@ -131,7 +131,7 @@ Result<ElementMesh> elements_of(const AdaptiveMesh& mesh) {
   ElementMesh elements;
   elements.faces = mesh.faces;
   elements.patches = mesh.patches;
-  for (const Cell& cell : mesh.cells) {
+  for (const MeshCell& cell : mesh.cells) {
     const Polygon& face = mesh.faces[cell.face].polygon;
     const AdaptiveMesh::Grid& grid = mesh.grids[cell.face];
     if (!grid.divisible || (grid.columns == 1 && grid.rows == 1 && cell.level == 0)) {
@@ -152,10 +152,11 @@ SplitMesh split(const AdaptiveMesh& mesh, std::vector<bool> which) {
   keep_balanced(mesh, which);
   SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches}, {}};
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
-    const Cell& cell = mesh.cells[k];
+    const MeshCell& cell = mesh.cells[k];
     for (std::int64_t part = 0; part < (which[k] ? 4 : 1); ++part) {
       result.mesh.cells.push_back(
-          which[k] ? Cell{cell.face, cell.patch, cell.level + 1, 2 * cell.a + part % 2, 2 * cell.b + part / 2} : cell);
+          which[k] ? MeshCell{cell.face, cell.patch, cell.level + 1, 2 * cell.a + part % 2, 2 * cell.b + part / 2}
+                   : cell);
       result.parents.push_back(k);
     }
   }

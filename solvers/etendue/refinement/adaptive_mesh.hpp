@@ -10,13 +10,13 @@
 namespace etendue {
 
 /// An element of a subdivided face: the quadrilateral s in [a, a+1]/(columns·2^level), t in [b, b+1]/(rows·2^level).
-struct Cell {
+struct MeshCell {
   std::size_t face = 0;   ///< index into ElementMesh::faces
   std::size_t patch = 0;  ///< it is a part of this one
   int level = 0;          ///< how often it was halved
   std::int64_t a = 0, b = 0;
 };
-inline bool operator==(const Cell& x, const Cell& y) {
+inline bool operator==(const MeshCell& x, const MeshCell& y) {
   return x.face == y.face && x.patch == y.patch && x.level == y.level && x.a == y.a && x.b == y.b;
 }
 
@@ -31,8 +31,8 @@ struct AdaptiveMesh {
     bool divisible = false;
   };
   std::vector<Face> faces;
-  std::vector<Grid> grids;  ///< one a face
-  std::vector<Cell> cells;  ///< those of a patch follow one another
+  std::vector<Grid> grids;      ///< one a face
+  std::vector<MeshCell> cells;  ///< those of a patch follow one another
   std::size_t patches = 0;
 };
 
