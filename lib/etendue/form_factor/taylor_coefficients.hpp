@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// Bounds on |C_k(cos θ)|, Gegenbauer's polynomials for λ = 2, with which the Taylor coefficients of r^(−4) along a line are
