@@ -82,6 +82,15 @@ void Options::path(std::string name, std::string value, std::string help, std::f
        }});
 }
 
+void Options::paths(std::string name, std::string value, std::string help, std::vector<std::filesystem::path>& target) {
+  Option option{std::move(name), std::move(value), std::move(help), [&target](const std::string& text) {
+                  target.emplace_back(text);
+                  return text.empty() ? std::optional<std::string>("a file name") : std::nullopt;
+                }};
+  option.repeatable = true;
+  add(std::move(option));
+}
+
 void Options::integer(std::string name, std::string value, std::string help, int& target, int low, int high) {
   add({std::move(name), std::move(value), std::move(help),
        [&target, low, high](const std::string& text) -> std::optional<std::string> {
@@ -170,7 +179,7 @@ std::optional<std::string> Options::read_option(const std::vector<std::string>& 
   const std::string name = word.substr(0, equals);
   const Option* option = find(name);
   if (!option) return "unknown option '" + name + "'" + did_you_mean(name, names());
-  if (std::find(seen.begin(), seen.end(), option->name) != seen.end()) {
+  if (!option->repeatable && std::find(seen.begin(), seen.end(), option->name) != seen.end()) {
     return "option '" + option->name + "' is given twice";
   }
   seen.push_back(option->name);

@@ -30,6 +30,8 @@ class Options {
   void flag(std::string name, std::string help, bool& target);
   void text(std::string name, std::string value, std::string help, std::optional<std::string>& target);
   void path(std::string name, std::string value, std::string help, std::filesystem::path& target);
+  /// May be given several times; each adds a path.
+  void paths(std::string name, std::string value, std::string help, std::vector<std::filesystem::path>& target);
   void integer(std::string name, std::string value, std::string help, int& target, int low, int high);
   void real(std::string name, std::string value, std::string help, double& target, double low, double high);
   void choice(std::string name, std::vector<std::string> values, std::string help, std::string& target);
@@ -56,6 +58,7 @@ class Options {
     std::string help;
     std::function<std::optional<std::string>(const std::string&)> set;  ///< returns what is expected if it is not that
     std::function<void(const std::string&)> set_second = nullptr;       ///< for the second of two words
+    bool repeatable = false;
   };
 
   void print_help(std::ostream& out) const;

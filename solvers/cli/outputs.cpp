@@ -26,8 +26,8 @@ Result<Done> check_outputs(const std::vector<fs::path>& outputs, const std::vect
     for (const fs::path& input : inputs) {
       std::error_code absent;  // what does not exist is no input
       if (!fs::equivalent(output, input, absent)) continue;
-      return Error{ErrorCode::usage, quoted_path(output) + " is a file of the scene and would be replaced; name " +
-                                         "another by --output"};
+      return Error{ErrorCode::usage,
+                   quoted_path(output) + " is a file of the scene and would be replaced; name another"};
     }
   }
   return check_writable(outputs);

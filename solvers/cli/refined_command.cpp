@@ -37,7 +37,10 @@ fs::path named(const RefinedRequest& request, const std::string& ending) {
 }
 
 std::vector<fs::path> outputs(const RefinedRequest& request) {
-  return {named(request, ".exr"), named(request, ".png"), named(request, ".json"), named(request, ".incomplete.json")};
+  std::vector<fs::path> all = {named(request, ".exr"), named(request, ".png"), named(request, ".json"),
+                               named(request, ".incomplete.json")};
+  all.insert(all.end(), request.written.begin(), request.written.end());
+  return all;
 }
 
 /// Where to go on from: what was interrupted, else what was finished with fewer steps or more unshot light.
@@ -77,6 +80,7 @@ Result<RefinedReport> begun(const RefinedRequest& request) {
   const Scene& scene = report.file.scene;
   const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
   if (!fit) return fit.error();
+  if (const auto known = check_solution_paths(request.written); !known) return known.error();
   if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   if (const auto room = check_room(request, count_elements(scene), 0); !room) return room.error();
   auto mesh = mesh_elements(scene);
@@ -257,6 +261,15 @@ ElementMesh prepare_view(RefinedReport& report) {
   return shown;
 }
 
+/// The solution as other programs want it, on the mesh that is shown.
+SolvedSurfaces surfaces(const RefinedReport& report, const ElementMesh& shown) {
+  SolvedSurfaces solved{
+      report.file.scene, shown, report.vertices, report.radiosity, report.solution.state.irradiance, {},
+      report.exposure};
+  for (const Element& element : shown.elements) solved.emission.push_back(report.emissions[element.patch]);
+  return solved;
+}
+
 Result<RefinedReport> solved(const RefinedRequest& request, std::ostream& err) {
   auto start = begun(request);
   if (!start) return start.error();
@@ -338,6 +351,12 @@ int solve_refined(const std::vector<std::string>& arguments, std::ostream& out, 
   if (!stopped) {
     std::error_code absent;  // what is finished needs no going on
     if (request.resume) fs::remove(named(request, ".incomplete.json"), absent);
+    if (!request.written.empty()) {
+      if (const auto written = write_solutions(request.written, surfaces(report, shown)); !written) {
+        return fail(err, kName, written.error());
+      }
+      report.written = request.written;
+    }
     const auto pictures = write_pictures(report, shown, err);
     if (!pictures) lost = pictures.error();
   }

@@ -171,6 +171,7 @@ std::string summary_json(const RefinedReport& report) {
     json["files"]["exr"] = report.exr.string();
     json["files"]["png"] = report.png.string();
   }
+  for (const auto& path : report.written) json["files"]["written"].push_back(path.string());
   json["seconds"] = report.seconds;
   return dumped(json);
 }
@@ -243,6 +244,7 @@ void print_summary(std::ostream& out, const RefinedReport& report) {
   for (const auto& path : {report.exr, report.png, report.json}) {
     if (!path.empty()) out << path.string() << '\n';
   }
+  for (const auto& path : report.written) out << printable(path.string()) << '\n';
 }
 
 }  // namespace etendue::cli

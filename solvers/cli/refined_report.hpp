@@ -39,6 +39,7 @@ struct RefinedReport {
   double exposure = 0;
   double seconds = 0;
   std::filesystem::path exr, png, json;
+  std::vector<std::filesystem::path> written;  ///< by --write
 };
 
 [[nodiscard]] const char* words(RefinedStatus status);

@@ -4,6 +4,7 @@
 #include "etendue/image/exposure.hpp"
 #include "etendue/text/number_text.hpp"
 #include "refined_command.hpp"
+#include "solve_parts.hpp"
 
 namespace etendue::cli {
 
@@ -77,6 +78,7 @@ void declare(Options& options, RefinedRequest& request) {
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
              "NAME-radiosity where NAME.json is the scene)");
   options.alias("-o", "--output");
+  add_write(options, request.written);
   options.note(
       "NAME.json holds every element with its corners, radiosity and irradiance, and all that is needed to go on. "
       "Without\n"

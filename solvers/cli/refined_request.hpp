@@ -15,6 +15,7 @@ namespace etendue::cli {
 struct RefinedRequest {
   CommonOptions common;
   std::filesystem::path scene;
+  std::vector<std::filesystem::path> written;  ///< --write
   std::string method = "progressive";
   std::string factors_by;  ///< "hemicube" or "exact"; by default what suits the method
   std::string solve_by = "shooting";

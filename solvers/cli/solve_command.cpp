@@ -38,6 +38,7 @@ constexpr int kMostSamples = 16;  // a side, 256 a pixel
 struct Request {
   CommonOptions common;
   fs::path scene;
+  std::vector<fs::path> written;  ///< --write
   std::string method = "full";
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
@@ -71,6 +72,23 @@ void prepare_view(SolveReport& report, const Request& request) {
   const Scene& scene = report.file.scene;
   report.vertices = vertex_radiosities(report.mesh, report.solution->radiosity, report.closure.covered);
   report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, report.mesh, report.vertices);
+}
+
+/// The solution as other programs want it; H = F B.
+SolvedSurfaces surfaces(const SolveReport& report) {
+  const std::size_t n = report.mesh.elements.size();
+  SolvedSurfaces solved{
+      report.file.scene, report.mesh, report.vertices, report.solution->radiosity, std::vector<Rgb>(n, Rgb::Zero()), {},
+      report.exposure};
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double factor = report.matrix.factors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      solved.irradiance[i] += factor * solved.radiosity[j];
+    }
+    const Face& face = report.mesh.face_of(report.mesh.elements[j]);
+    solved.emission.push_back(report.file.scene.materials[face.material].emission);
+  }
+  return solved;
 }
 
 /// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
@@ -127,6 +145,7 @@ void declare(Options& options, Request& request) {
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
              "NAME-radiosity where NAME.json is the scene)");
   options.alias("-o", "--output");
+  add_write(options, request.written);
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
@@ -148,7 +167,10 @@ void declare(Options& options, Request& request) {
 
 /// All files that this run may write.
 std::vector<fs::path> outputs(const Request& request) {
-  return {named(request, ".exr"), named(request, ".png"), named(request, ".json"), named(request, ".incomplete.json")};
+  std::vector<fs::path> all = {named(request, ".exr"), named(request, ".png"), named(request, ".json"),
+                               named(request, ".incomplete.json")};
+  all.insert(all.end(), request.written.begin(), request.written.end());
+  return all;
 }
 
 RadiosityGoal goal(const Request& request) {
@@ -192,6 +214,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   // Opens the module for images, which takes longer than refusing a scene.
   const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
   if (!fit) return fit.error();
+  if (const auto known = check_solution_paths(request.written); !known) return known.error();
   if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
@@ -271,6 +294,12 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   }
   std::optional<Error> lost;
   if (is_solved(report)) {
+    if (!request.written.empty()) {
+      if (const auto written = write_solutions(request.written, surfaces(report)); !written) {
+        return fail(err, kName, written.error());
+      }
+      report.written = request.written;
+    }
     const auto pictures = write_pictures(report, request, err);
     if (!pictures) lost = pictures.error();
   }

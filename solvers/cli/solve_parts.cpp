@@ -16,6 +16,18 @@ fs::path solution_path(const fs::path& output, const fs::path& scene, const char
   return stem + ending;
 }
 
+void add_write(Options& options, std::vector<fs::path>& files) {
+  options.paths("--write", "FILE",
+                "also: .csv, .npy (numbers), .vtu (ParaView), .obj, .gltf, .glb (coloured surfaces); repeatable",
+                files);
+}
+
+Result<Done> write_solutions(const std::vector<fs::path>& files, const SolvedSurfaces& solved) {
+  std::vector<NewFile> all;
+  for (const fs::path& path : files) all.push_back(solution_file(path, solved));
+  return write_files(all);
+}
+
 std::vector<std::string> left_out(const Scene& scene) {
   std::vector<std::string> lines;
   if (!scene.lights.empty()) {

@@ -283,6 +283,7 @@ std::string summary_json(const SolveReport& report) {
     json["files"]["exr"] = report.exr.string();
     json["files"]["png"] = report.png.string();
   }
+  for (const auto& path : report.written) json["files"]["written"].push_back(path.string());
   json["seconds"] = report.seconds;
   return dumped(json);
 }
@@ -338,6 +339,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
   for (const auto& path : {report.exr, report.png, report.json}) {
     if (!path.empty()) out << printable(path.string()) << '\n';
   }
+  for (const auto& path : report.written) out << printable(path.string()) << '\n';
 }
 
 }  // namespace etendue::cli

@@ -32,6 +32,7 @@ struct SolveReport {
   double exposure = 0;
   double seconds = 0;
   std::filesystem::path exr, png, json;
+  std::vector<std::filesystem::path> written;  ///< by --write
 };
 
 /// Are all channels solved?

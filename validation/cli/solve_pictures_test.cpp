@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -141,6 +143,61 @@ TEST(SolvePictures, AverageAsManySamplesAsAsked) {
       ++steps.at(static_cast<std::size_t>(std::lround(step)));
     }
     EXPECT_TRUE(holds(std::count(steps.begin(), steps.end(), 0) == 0)) << samples << ": every step occurs";
+  }
+}
+
+// CLAIM      --write takes files for other programs, several and of every ending, with the full method and with those that
+//            refine; radiosity and irradiance in the CSV are those of the solution. Another ending (2), a file of the
+//            scene (2) and a path that cannot be written (5) are refused before anything is computed or written.
+// ORACLE     closed form: B = H = E/(1 − ρ) in the furnace; the report's radiosities, digit for digit.
+// TOLERANCE  full: 1e-9, above the reported bounds, 4e-11; progressive: 1e-5, for light that is unshot.
+TEST(SolvePictures, WritesFilesForOtherPrograms) {
+  proves({}, Oracle::closed_form, "E/(1 − ρ)");
+  const double expected[] = {3, 8, 10};
+  for (const std::string method : {"full", "progressive"}) {
+    const TemporaryFolder folder;
+    const auto scene = folder.add("scene.json", furnace_text());
+    std::vector<std::string> more = {"--method", method};
+    if (method != "full") more.insert(more.end(), {"--unshot", "1e-7", "--factors-by", "exact"});
+    for (const char* ending : {"csv", "npy", "vtu", "obj", "gltf", "glb"}) {
+      more.insert(more.end(), {"--write", (folder.path() / "w.").string() + ending});
+    }
+    const Ended ended = solve(scene, "out", more);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.out.find("w.glb\n"), std::string::npos) << ended.out;
+    EXPECT_EQ(folder.contents(), "out.exr out.json out.png scene.json w.csv w.glb w.gltf w.npy w.obj w.vtu");
+    const auto saved = nlohmann::json::parse(read_text(folder.path() / "out.json"))["elements"];
+    std::istringstream lines(read_text(folder.path() / "w.csv"));
+    std::string line;
+    std::getline(lines, line);
+    std::size_t k = 0;
+    for (; std::getline(lines, line); ++k) {
+      std::istringstream cells(line);
+      std::vector<double> row;
+      for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::strtod(cell.c_str(), nullptr));
+      ASSERT_EQ(row.size(), 15u);
+      ASSERT_LT(k, saved.size());
+      for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_EQ(row[9 + c], saved[k]["radiosity"][c].get<double>());
+        EXPECT_TRUE(near(row[9 + c], expected[c], method == "full" ? 1e-9 : 1e-5));
+        EXPECT_TRUE(near(row[12 + c], expected[c], method == "full" ? 1e-9 : 1e-5));
+      }
+    }
+    EXPECT_TRUE(holds(k == 48 && k == saved.size()));
+  }
+  for (const std::string method : {"full", "progressive"}) {
+    const TemporaryFolder folder;
+    const auto scene = folder.add("scene.csv", furnace_text());
+    const auto refused = [&](const std::string& file, int code, const std::string& words) {
+      const Ended ended = solve(scene, "out", {"--method", method, "--write", file});
+      EXPECT_TRUE(holds(ended.code == code)) << ended.code;
+      EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+      EXPECT_TRUE(holds(folder.contents() == "scene.csv" && read_text(scene) == furnace_text()));
+    };
+    refused((folder.path() / "w.ply").string(), 2,
+            "found ending '.ply', expected .csv, .npy, .vtu, .obj, .gltf or .glb");
+    refused(scene.string(), 2, "is a file of the scene and would be replaced");
+    refused((folder.path() / "no" / "w.csv").string(), 5, "there is no folder");
   }
 }
 

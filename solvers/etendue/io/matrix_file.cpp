@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/matrix_file.hpp"
 
-#include <bit>
 #include <charconv>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/io/byte_text.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -63,24 +63,12 @@ void write_csv(Sink& sink, const ExchangeMatrix& matrix) {
   }
 }
 
-/// NumPy's format 1.0: magic, version, length of the header, header padded to a multiple of 64 bytes, data.
+/// NumPy's format 1.0.
 void write_npy(Sink& sink, const ExchangeMatrix& matrix) {
-  const std::string n = std::to_string(matrix.size());
-  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + n + ", " + n + "), }";
-  constexpr std::size_t kBefore = 10, kAlignment = 64;  // magic and lengths; what NumPy aligns data to
-  header.append(kAlignment - 1 - (kBefore + header.size()) % kAlignment, ' ');
-  header += '\n';
-  const char lengths[] = {1, 0, static_cast<char>(header.size() & 0xFF), static_cast<char>(header.size() >> 8)};
-  sink.text("\x93NUMPY");
-  sink.text({lengths, sizeof lengths});
-  sink.text(header);
-  std::string row(matrix.size() * sizeof(double), '\0');
+  sink.text(npy_header(matrix.size(), matrix.size()));
   for (std::size_t i = 0; i < matrix.size(); ++i) {
-    for (std::size_t j = 0; j < matrix.size(); ++j) {
-      auto word = std::bit_cast<std::uint64_t>(matrix.factor(i, j).value);
-      for (std::size_t k = 0; k < sizeof word; ++k, word >>= 8)
-        row[j * sizeof word + k] = static_cast<char>(word & 0xFF);
-    }
+    std::string row;
+    for (std::size_t j = 0; j < matrix.size(); ++j) append_little(row, matrix.factor(i, j).value);
     sink.text(row);
   }
 }
