@@ -262,6 +262,14 @@ void expect_gltf(const Json& json, const std::string& buffer, const Solved& solv
   EXPECT_EQ(json["buffers"][0]["byteLength"], buffer.size());
   EXPECT_EQ(json["scenes"][0]["nodes"], Json::array({0}));
   EXPECT_EQ(json["nodes"][0]["children"], Json::array({1, 2, 3}));
+  // Eye (1/3, −2, 0.7) units of 0.3 m, looking along y, z up, half angle 0.5, a square picture.
+  const double stand[] = {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0.3 / 3, -0.6, 0.21, 1};
+  for (std::size_t k = 0; k < 16; ++k) {
+    EXPECT_TRUE(near(json["nodes"][3]["matrix"].at(k).get<double>(), stand[k], 4 * 0x1p-53));
+  }
+  EXPECT_EQ(json["nodes"][3]["camera"], 0);
+  EXPECT_TRUE(near(json["cameras"][0]["perspective"]["yfov"].get<double>(), 1, 8 * 0x1p-53));
+  EXPECT_TRUE(near(json["cameras"][0]["perspective"]["aspectRatio"].get<double>(), 1, 4 * 0x1p-53));
   ASSERT_EQ(json["meshes"].size(), 2u);
   std::size_t k = 0;
   for (std::size_t object = 0; object < 2; ++object) {
@@ -317,9 +325,11 @@ void expect_gltf(const Json& json, const std::string& buffer, const Solved& solv
 }
 
 // CLAIM      .gltf and .glb hold the same: places in metres, colours and radiosities in single precision, fans of
-//            triangles that are seen from the front, offsets in range, min and max of positions as they are.
+//            triangles that are seen from the front, offsets in range, min and max of positions as they are; a camera as
+//            the scene's.
 // ORACLE     exact: the numbers that were put in, rounded to single precision here; the published layout of both forms.
-// TOLERANCE  none, but for means at centroids: one unit in the last place of single precision.
+// TOLERANCE  none, but for means at centroids: one unit in the last place of single precision; of the camera, 4 to 8
+//            roundings of numbers of at most 2.
 TEST(SolutionFile, GltfHoldsPlacesAndLinearColours) {
   proves({}, Oracle::exact, "the numbers that were put in");
   const Solved solved;
