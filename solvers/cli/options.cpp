@@ -253,11 +253,20 @@ void Options::print_help(std::ostream& out) const {
   std::vector<Option> all = positional_;
   all.insert(all.end(), options_.begin(), options_.end());
   all.push_back({"--help", "", "print this and exit", nullptr});
+  constexpr std::size_t kWidest = 24;  // longer titles have a line of their own
   std::size_t width = 0;
-  for (const auto& option : all) width = std::max(width, title(option).size());
+  for (const auto& option : all) {
+    if (title(option).size() <= kWidest) width = std::max(width, title(option).size());
+  }
+  const std::string indent(width + 4, ' ');
   for (const auto& option : all) {
     const std::string name = title(option);
-    out << "  " << name << std::string(width - name.size() + 2, ' ') << option.help << '\n';
+    out << "  " << name << (name.size() <= width ? std::string(width - name.size() + 2, ' ') : '\n' + indent);
+    for (const char c : option.help) {
+      out << c;
+      if (c == '\n') out << indent;
+    }
+    out << '\n';
   }
   for (const auto& note : notes_) out << '\n' << note << '\n';
   if (!examples_.empty()) out << "\nExamples:\n";
