@@ -242,7 +242,7 @@ void print_summary(std::ostream& out, const RefinedReport& report) {
   }
   out << "time         " << rounded(report.seconds) << " s\n";
   for (const auto& path : {report.exr, report.png, report.json}) {
-    if (!path.empty()) out << path.string() << '\n';
+    if (!path.empty()) out << printable(path.string()) << '\n';
   }
   for (const auto& path : report.written) out << printable(path.string()) << '\n';
 }
