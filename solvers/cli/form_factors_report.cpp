@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "etendue/core/interval.hpp"
@@ -11,22 +10,16 @@
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "memory.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string exact(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
-}
-
-/// All beyond ASCII escaped: names that a terminal would take for a command pass it, a reader gets them back.
-std::string dumped(const Json& json) {
-  return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 const std::string& row_name(const SurfaceModel& model, std::size_t row) {
@@ -173,7 +166,7 @@ std::string matrix_report_json(const MatrixReport& report) {
   json["matrix_bytes"] = exchange_bytes(report.matrix.layout());
   if (const auto peak = peak_memory()) json["peak_memory_bytes"] = *peak;
   if (!report.output.empty()) json["output"] = report.output.string();
-  return dumped(json);
+  return dumped(json) + "\n";
 }
 
 void print_pair_report(std::ostream& out, const PairReport& report) {
@@ -234,7 +227,7 @@ std::string pair_report_json(const PairReport& report) {
   json["pairs"] = kinds(report.what);
   json["blockers"] = report.blockers;
   json["tolerance_reached"] = report.reached;
-  return dumped(json);
+  return dumped(json) + "\n";
 }
 
 }  // namespace etendue::cli

@@ -2,15 +2,13 @@
 #include "ray_tree_output.hpp"
 
 #include <charconv>
-#include <nlohmann/json.hpp>
 
 #include "etendue/core/version.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const char* word(RayKind kind) {
   return kind == RayKind::eye ? "eye" : kind == RayKind::reflected ? "reflected" : "transmitted";
@@ -28,10 +26,6 @@ const char* word(RayEnd end) {
       return "below cutoff";
   }
   return "unknown";
-}
-
-Json triple(const Vec3& v) {
-  return Json::array({v.x(), v.y(), v.z()});
 }
 
 }  // namespace
@@ -73,7 +67,7 @@ std::string ray_tree_json(const RayTree& tree, const SceneFile& file, const Pixe
     report["rays"].push_back(std::move(ray));
   }
   report["tests"] = {{"surfaces", tree.tests.surfaces}, {"boxes", tree.tests.volumes}};
-  return report.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";  // ASCII: a terminal may show it
+  return dumped(report, 2) + "\n";
 }
 
 }  // namespace etendue::cli

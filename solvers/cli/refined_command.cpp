@@ -8,7 +8,6 @@
 
 #include "etendue/core/version.hpp"
 #include "etendue/image/exposure.hpp"
-#include "etendue/io/image_file.hpp"
 #include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/shared_vertices.hpp"
 #include "etendue/meshing/surface_checks.hpp"
@@ -17,7 +16,6 @@
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/mesh_lines.hpp"
 #include "etendue/view/radiosity_view.hpp"
-#include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "refined_report.hpp"
@@ -32,23 +30,20 @@ namespace fs = std::filesystem;
 
 constexpr const char* kName = "solve";
 
-fs::path named(const RefinedRequest& request, const std::string& ending) {
-  return solution_path(request.common.output, request.scene, ((request.relight ? "-relit" : "") + ending).c_str());
+std::string suffix(const RefinedRequest& request) {
+  return request.relight ? "-relit" : "";
 }
 
-std::vector<fs::path> outputs(const RefinedRequest& request) {
-  std::vector<fs::path> all = {named(request, ".exr"), named(request, ".png"), named(request, ".json"),
-                               named(request, ".incomplete.json")};
-  all.insert(all.end(), request.written.begin(), request.written.end());
-  return all;
+fs::path named(const RefinedRequest& request, const std::string& ending) {
+  return solution_path(request, suffix(request) + ending);
 }
 
 /// Where to go on from: what was interrupted, else what was finished with fewer steps or more unshot light.
 fs::path earlier(const RefinedRequest& request) {
-  const fs::path incomplete = solution_path(request.common.output, request.scene, ".incomplete.json");
+  const fs::path incomplete = solution_path(request, ".incomplete.json");
   std::error_code absent;
   if (!request.relight && fs::exists(incomplete, absent)) return incomplete;
-  return solution_path(request.common.output, request.scene, ".json");
+  return solution_path(request, ".json");
 }
 
 /// Refuses what this machine cannot hold. Shooting: refinement/NOTES.md §4. Elimination: rows of element × patch twice,
@@ -57,12 +52,10 @@ Result<Done> check_room(const RefinedRequest& request, std::size_t elements, std
   constexpr double kBytesAnElement = 1024;
   const auto n = static_cast<double>(elements), p = static_cast<double>(patches);
   const double dense = request.eliminates() ? 8 * p * (2 * n + 3 * p) : 0;
-  const auto room = check_memory(
-      {n * kBytesAnElement + dense, std::to_string(elements) + " elements need",
-       request.eliminates() ? "8 bytes for each pair of element and patch, twice" : "about 1 kB for each element",
-       "divide the surfaces into fewer elements (\"elements\" of the objects)"});
-  if (!room) return Error{room.error().code, printable(request.scene.string()) + ": " + room.error().message};
-  return Done{};
+  return check_memory(request.scene, {n * kBytesAnElement + dense, std::to_string(elements) + " elements need",
+                                      request.eliminates() ? "8 bytes for each pair of element and patch, twice"
+                                                           : "about 1 kB for each element",
+                                      "divide the surfaces into fewer elements (\"elements\" of the objects)"});
 }
 
 /// Scene and beginning: nothing is computed yet.
@@ -71,17 +64,10 @@ Result<RefinedReport> begun(const RefinedRequest& request) {
   report.request = request;
   report.settings = request.settings();
   report.bounded = request.factors_by == "exact";
-  auto file = [&] {
-    const NothingToSave reading;
-    return read_scene(request.scene);
-  }();
+  auto file = opened(request, suffix(request));
   if (!file) return file.error();
   report.file = std::move(file).value();
   const Scene& scene = report.file.scene;
-  const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
-  if (!fit) return fit.error();
-  if (const auto known = check_solution_paths(request.written); !known) return known.error();
-  if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   if (const auto room = check_room(request, count_elements(scene), 0); !room) return room.error();
   auto mesh = mesh_elements(scene);
   if (!mesh) return mesh.error();
@@ -214,19 +200,14 @@ ImageMetadata metadata(const RefinedReport& report) {
           {"etendue:scene_hash", report.file.hash},
           {"etendue:steps", std::to_string(report.solution.state.steps)},
           {"etendue:unshot_share", shortest(report.solution.state.unshot_shares.back())},
-          {"etendue:samples_per_side", std::to_string(report.request.samples)},
-          {"etendue:values", "radiosity [W/m2]"}};
+          {"etendue:samples_per_side", std::to_string(report.request.samples)}};
 }
 
 /// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
 Result<Done> write_pictures(RefinedReport& report, const ElementMesh& shown, std::ostream& err) {
   const Scene& scene = report.file.scene;
   const RefinedRequest& request = report.request;
-  const auto picture = [&] {
-    Progress progress(err, "picture", request.common);
-    return view_radiosities(scene.camera, shown, report.vertices, scene.background, request.samples,
-                            execution(request.common, progress));
-  }();
+  const auto picture = drawn(scene, shown, report.vertices, request, err);
   if (!picture) return picture.error();
   Image displayed = exposed(*picture, report.exposure);
   if (request.draw_mesh) {
@@ -234,16 +215,9 @@ Result<Done> write_pictures(RefinedReport& report, const ElementMesh& shown, std
     if (!lines) return lines.error();
     displayed = drawn_over(displayed, *lines, 1);
   }
-  ImageMetadata facts = metadata(report);
   report.exr = named(request, ".exr");
   report.png = named(request, ".png");
-  const auto exr = encode_image(report.exr, *picture, facts);
-  if (!exr) return exr.error();
-  facts.back().second = "radiosity times exposure";
-  facts.emplace_back("etendue:exposure", shortest(report.exposure));
-  const auto png = encode_image(report.png, displayed, facts);
-  if (!png) return png.error();
-  return write_files({*exr, *png});
+  return write_pictures(report, *picture, displayed, report.exposure, metadata(report));
 }
 
 /// A mesh whose elements meet in corners, and the values there; left without values where stopped.
@@ -339,9 +313,7 @@ int solve_refined(const std::vector<std::string>& arguments, std::ostream& out, 
   auto outcome = solved(request, err);
   if (!outcome) return fail(err, kName, outcome.error());
   RefinedReport report = std::move(outcome).value();
-  if (!request.common.quiet) {
-    for (const std::string& line : left_out(report.file.scene)) err << "etendue solve: left out: " << line << '\n';
-  }
+  tell_left_out(err, request, report.file.scene);
   const bool stopped = report.status == RefinedStatus::stopped;
   report.json = named(request, stopped ? ".incomplete.json" : ".json");
   std::optional<Error> lost;

@@ -2,31 +2,17 @@
 #include "refined_report.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "outputs.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
-
-template <class Three>
-Json triple(const Three& v) {
-  return Json::array({v(0), v(1), v(2)});
-}
-
-/// JSON has no infinity: a bound that does not exist is null.
-Json finite_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 const char* method_words(const RefinedRequest& request) {
   if (request.method == "hemicube") return "radiosity, full matrix by hemicubes";
@@ -99,14 +85,6 @@ Json summary(const RefinedReport& report) {
   return json;
 }
 
-std::string dumped(const Json& json) {
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string line(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 Json patch_json(const RefinedReport& report, std::size_t j) {
   const PatchModel& model = report.solution.model;
   Json json{{"patch", j}, {"area_m2", model.patch_areas[j]}, {"unshot", triple(report.solution.state.unshot[j])}};
@@ -166,20 +144,15 @@ std::string summary_json(const RefinedReport& report) {
     run.erase("shooters");
     run.erase("unshot_shares");
   }
-  json["files"] = {{"scene", report.request.scene.string()}, {"json", report.json.string()}};
-  if (!report.png.empty()) {
-    json["files"]["exr"] = report.exr.string();
-    json["files"]["png"] = report.png.string();
-  }
-  for (const auto& path : report.written) json["files"]["written"].push_back(path.string());
+  json["files"] = files_json(report.request.scene, report);
   json["seconds"] = report.seconds;
-  return dumped(json);
+  return dumped(json) + "\n";
 }
 
 Result<Done> write_solution(const std::filesystem::path& path, const RefinedReport& report) {
   return write_pieces(path, [&](const Append& append) -> Result<Done> {
     std::string text = dumped(summary(report));
-    text.resize(text.size() - std::string("\n}\n").size());
+    text.resize(text.size() - std::string("\n}").size());
     text += ",\n \"patches\": [";
     constexpr std::size_t kPiece = 1 << 16;
     const auto add = [&](const std::string& more) -> Result<Done> {
@@ -190,11 +163,11 @@ Result<Done> write_solution(const std::filesystem::path& path, const RefinedRepo
       return done;
     };
     for (std::size_t j = 0; j < report.solution.model.patch_areas.size(); ++j) {
-      if (const auto done = add((j > 0 ? ",\n  " : "\n  ") + line(patch_json(report, j))); !done) return done;
+      if (const auto done = add((j > 0 ? ",\n  " : "\n  ") + dumped(patch_json(report, j), -1)); !done) return done;
     }
     if (const auto done = add("],\n \"elements\": ["); !done) return done;
     for (std::size_t k = 0; k < report.solution.mesh.cells.size(); ++k) {
-      if (const auto done = add((k > 0 ? ",\n  " : "\n  ") + line(element_json(report, k))); !done) return done;
+      if (const auto done = add((k > 0 ? ",\n  " : "\n  ") + dumped(element_json(report, k), -1)); !done) return done;
     }
     text += "]\n}\n";
     return append(text);
@@ -241,10 +214,7 @@ void print_summary(std::ostream& out, const RefinedReport& report) {
     out << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n";
   }
   out << "time         " << rounded(report.seconds) << " s\n";
-  for (const auto& path : {report.exr, report.png, report.json}) {
-    if (!path.empty()) out << printable(path.string()) << '\n';
-  }
-  for (const auto& path : report.written) out << printable(path.string()) << '\n';
+  print_files(out, report);
 }
 
 }  // namespace etendue::cli

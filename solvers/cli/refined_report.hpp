@@ -10,6 +10,7 @@
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
 #include "refined_request.hpp"
+#include "solve_parts.hpp"
 
 namespace etendue::cli {
 
@@ -22,7 +23,7 @@ struct LightSolution {
 enum class RefinedStatus { solved, steps_used_up, elements_used_up, tolerance_missed, stopped, relit };
 
 /// Everything that `etendue solve --method hemicube|progressive|adaptive` found out.
-struct RefinedReport {
+struct RefinedReport : SolutionFiles {
   SceneFile file;
   RefinedRequest request;
   AdaptiveSolution solution;          ///< state: of all lights together
@@ -38,8 +39,6 @@ struct RefinedReport {
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;
-  std::filesystem::path exr, png, json;
-  std::vector<std::filesystem::path> written;  ///< by --write
 };
 
 [[nodiscard]] const char* words(RefinedStatus status);

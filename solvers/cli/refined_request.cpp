@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refined_request.hpp"
 
-#include "etendue/image/exposure.hpp"
 #include "etendue/text/number_text.hpp"
 #include "refined_command.hpp"
 #include "solve_parts.hpp"
@@ -10,7 +9,7 @@ namespace etendue::cli {
 
 namespace {
 
-constexpr int kMostSamples = 16;  // a side, 256 a pixel
+constexpr int kMostPoints = 16;  // a side, 256 hemicubes a patch
 constexpr int kMostSteps = 1'000'000'000;
 
 void declare_method(Options& options, RefinedRequest& request) {
@@ -21,7 +20,7 @@ void declare_method(Options& options, RefinedRequest& request) {
                  request.factors_by);
   options.integer("--resolution", "N", "pixels along an edge of a hemicube, even (default: 256)", request.resolution,
                   kLeastResolution, kMostResolution);
-  options.integer("--points", "N", "N × N hemicubes on each patch (default: 1)", request.points, 1, kMostSamples);
+  options.integer("--points", "N", "N × N hemicubes on each patch (default: 1)", request.points, 1, kMostPoints);
   options.real("--tolerance", "T", "relative error asked of exact form factors past obstructions (default: 1e-6)",
                request.tolerance, 1e-12, 0.1);
 }
@@ -70,15 +69,7 @@ void declare(Options& options, RefinedRequest& request) {
   declare_method(options, request);
   declare_shooting(options, request);
   declare_adaptive(options, request);
-  options.real("--exposure", "F",
-               "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
-               request.exposure, kLeastExposure, kMostExposure);
-  options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
-  add_common(options, request.common,
-             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
-             "NAME-radiosity where NAME.json is the scene)");
-  options.alias("-o", "--output");
-  add_write(options, request.written);
+  add_results(options, request);
   options.note(
       "NAME.json holds every element with its corners, radiosity and irradiance, and all that is needed to go on. "
       "Without\n"

@@ -8,14 +8,12 @@
 
 #include "etendue/refinement/adaptive_radiosity.hpp"
 #include "options.hpp"
+#include "solve_parts.hpp"
 
 namespace etendue::cli {
 
 /// What `etendue solve --method hemicube|progressive|adaptive` was asked.
-struct RefinedRequest {
-  CommonOptions common;
-  std::filesystem::path scene;
-  std::vector<std::filesystem::path> written;  ///< --write
+struct RefinedRequest : SolutionRequest {
   std::string method = "progressive";
   std::string factors_by;  ///< "hemicube" or "exact"; by default what suits the method
   std::string solve_by = "shooting";
@@ -29,8 +27,6 @@ struct RefinedRequest {
   int most_elements = static_cast<int>(AdaptiveGoal{}.most_elements);
   bool overshoot = false, ambient = false, resume = false, per_light = false, draw_mesh = false;
   std::optional<std::string> relight;
-  double exposure = 0;  ///< 0: so that white is the brightest surface that does not emit
-  int samples = 3;
 
   bool adaptive() const { return method == "adaptive"; }
   /// Solves the patches directly: nothing is shot.

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
@@ -23,6 +22,7 @@
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "ray_tree_output.hpp"
+#include "report_json.hpp"
 #include "stop.hpp"
 
 namespace etendue::cli {
@@ -127,7 +127,7 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
                 const Written& written, double seconds) {
   const RenderCounts& counts = rendering.counts;
   const Brightness bright = brightness(rendering.image);
-  nlohmann::ordered_json report;
+  Json report;
   report["program"] = std::string("etendue ") + version();
   report["scene"] = {{"file", request.scene.string()}, {"name", file.scene.name}, {"hash", file.hash}};
   report["settings"] = {{"depth", request.render.limits.depth},
@@ -147,8 +147,7 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
                         {"by_cutoff", counts.cut_by_cutoff},
                         {"largest_weight", counts.largest_cut_weight}};
   report["seconds"] = seconds;
-  // ASCII: a terminal may show it.
-  out << report.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  out << dumped(report, 2) << '\n';
 }
 
 /// Gives the picture so many columns, and rows in proportion, at least one; or says why that cannot be.

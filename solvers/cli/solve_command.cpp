@@ -2,29 +2,23 @@
 #include "solve_command.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cstdio>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
-#include "etendue/io/image_file.hpp"
 #include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/surface_checks.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
-#include "memory.hpp"
-#include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "refined_command.hpp"
 #include "solve_factors_command.hpp"
 #include "solve_parts.hpp"
 #include "solve_report.hpp"
-#include "stop.hpp"
 
 namespace etendue::cli {
 
@@ -33,26 +27,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kName = "solve";
-constexpr int kMostSamples = 16;  // a side, 256 a pixel
 
-struct Request {
-  CommonOptions common;
-  fs::path scene;
-  std::vector<fs::path> written;  ///< --write
+struct Request : SolutionRequest {
   std::string method = "full";
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
-  double exposure =
-      0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
-  int samples = 3;
   int steps = 100'000;
   bool certify = false;
   double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
-
-fs::path named(const Request& request, const char* ending) {
-  return solution_path(request.common.output, request.scene, ending);
-}
 
 /// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
 /// has the time of writing (capDate), which OpenImageIO adds.
@@ -63,8 +46,7 @@ ImageMetadata metadata(const SolveReport& report, int samples) {
           {"etendue:scene_hash", report.file.hash},
           {"etendue:solver", report.solver},
           {"etendue:tolerance", shortest(report.tolerance.obstructed.relative)},
-          {"etendue:samples_per_side", std::to_string(samples)},
-          {"etendue:values", "radiosity [W/m2]"}};
+          {"etendue:samples_per_side", std::to_string(samples)}};
 }
 
 /// What the display of the solution needs, and NAME.json names.
@@ -76,51 +58,31 @@ void prepare_view(SolveReport& report, const Request& request) {
 
 /// The solution as other programs want it; H = F B.
 SolvedSurfaces surfaces(const SolveReport& report) {
-  const std::size_t n = report.mesh.elements.size();
-  SolvedSurfaces solved{
-      report.file.scene, report.mesh, report.vertices, report.solution->radiosity, std::vector<Rgb>(n, Rgb::Zero()), {},
-      report.exposure};
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = 0; i < n; ++i) {
-      const double factor = report.matrix.factors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      solved.irradiance[i] += factor * solved.radiosity[j];
-    }
-    const Face& face = report.mesh.face_of(report.mesh.elements[j]);
-    solved.emission.push_back(report.file.scene.materials[face.material].emission);
+  SolvedSurfaces solved{report.file.scene,           report.mesh, report.vertices, report.solution->radiosity,
+                        report.solution->irradiance, {},          report.exposure};
+  for (const Element& element : report.mesh.elements) {
+    solved.emission.push_back(report.file.scene.materials[report.mesh.face_of(element).material].emission);
   }
   return solved;
 }
 
 /// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
 Result<Done> write_pictures(SolveReport& report, const Request& request, std::ostream& err) {
-  const Scene& scene = report.file.scene;
-  const auto picture = [&] {
-    Progress progress(err, "picture", request.common);
-    return view_radiosities(scene.camera, report.mesh, report.vertices, scene.background, request.samples,
-                            execution(request.common, progress));
-  }();
+  const auto picture = drawn(report.file.scene, report.mesh, report.vertices, request, err);
   if (!picture) return picture.error();
-  ImageMetadata facts = metadata(report, request.samples);
-  report.exr = named(request, ".exr");
-  report.png = named(request, ".png");
-  const auto exr = encode_image(report.exr, *picture, facts);
-  if (!exr) return exr.error();
-  facts.back().second = "radiosity times exposure";
-  facts.emplace_back("etendue:exposure", shortest(report.exposure));
-  const auto png = encode_image(report.png, exposed(*picture, report.exposure), facts);
-  if (!png) return png.error();
-  return write_files({*exr, *png});
+  report.exr = solution_path(request, ".exr");
+  report.png = solution_path(request, ".png");
+  return write_pictures(report, *picture, exposed(*picture, report.exposure), report.exposure,
+                        metadata(report, request.samples));
 }
 
 /// Refuses elements whose matrix this machine cannot hold, before it is begun.
 Result<Done> check_room(const Request& request, std::size_t elements) {
   const double bytes_a_pair = request.certify ? kCertifiedBytesAPair : kBytesAPair;
   const auto n = static_cast<double>(elements);
-  const auto room = check_memory({n * n * bytes_a_pair, std::to_string(elements) + " elements need",
-                                  shortest(bytes_a_pair) + " bytes for each of n² pairs",
-                                  "divide the surfaces into fewer elements (\"elements\" of the objects)"});
-  if (!room) return Error{room.error().code, printable(request.scene.string()) + ": " + room.error().message};
-  return Done{};
+  return check_memory(request.scene, {n * n * bytes_a_pair, std::to_string(elements) + " elements need",
+                                      shortest(bytes_a_pair) + " bytes for each of n² pairs",
+                                      "divide the surfaces into fewer elements (\"elements\" of the objects)"});
 }
 
 void declare(Options& options, Request& request) {
@@ -137,15 +99,7 @@ void declare(Options& options, Request& request) {
   options.real("--certify-tolerance", "T",
                "relative half width asked of enclosures past obstructions (default: 0.02), work allowing",
                request.certified, 1e-9, 1);
-  options.real("--exposure", "F",
-               "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
-               request.exposure, kLeastExposure, kMostExposure);
-  options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
-  add_common(options, request.common,
-             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
-             "NAME-radiosity where NAME.json is the scene)");
-  options.alias("-o", "--output");
-  add_write(options, request.written);
+  add_results(options, request);
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
@@ -163,14 +117,6 @@ void declare(Options& options, Request& request) {
   options.example("etendue solve scenes/furnace/scene.json --output furnace.png");
   options.example("etendue solve scenes/furnace/scene.json --certify --output furnace-certified.png");
   options.example("etendue solve scenes/furnace/scene.json --solver gmres --json --output furnace-gmres.png");
-}
-
-/// All files that this run may write.
-std::vector<fs::path> outputs(const Request& request) {
-  std::vector<fs::path> all = {named(request, ".exr"), named(request, ".png"), named(request, ".json"),
-                               named(request, ".incomplete.json")};
-  all.insert(all.end(), request.written.begin(), request.written.end());
-  return all;
 }
 
 RadiosityGoal goal(const Request& request) {
@@ -205,17 +151,9 @@ void certify(SolveReport& report, const Request& request, std::ostream& err) {
 /// Everything up to the radiosities; when stopped, the report has no solution.
 Result<SolveReport> solved(const Request& request, std::ostream& err) {
   SolveReport report;
-  auto file = [&] {
-    const NothingToSave reading;
-    return read_scene(request.scene);
-  }();
+  auto file = opened(request);
   if (!file) return file.error();
   report.file = std::move(file).value();
-  // Opens the module for images, which takes longer than refusing a scene.
-  const auto fit = check_image_path(request.common.output.empty() ? named(request, ".png") : request.common.output);
-  if (!fit) return fit.error();
-  if (const auto known = check_solution_paths(request.written); !known) return known.error();
-  if (const auto free = check_outputs(outputs(request), report.file.files); !free) return free.error();
   report.scene_path = request.scene;
   report.solver = request.solver;
   report.certify_tolerance = request.certified;
@@ -283,11 +221,9 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   auto outcome = solved(request, err);
   if (!outcome) return fail(err, kName, outcome.error());
   SolveReport report = std::move(outcome).value();
-  if (!request.common.quiet) {
-    for (const std::string& line : left_out(report.file.scene)) err << "etendue solve: left out: " << line << '\n';
-  }
+  tell_left_out(err, request, report.file.scene);
   if (is_solved(report)) prepare_view(report, request);
-  report.json = named(request, is_solved(report) ? ".json" : ".incomplete.json");
+  report.json = solution_path(request, is_solved(report) ? ".json" : ".incomplete.json");
   // Before the pictures: nothing that happens to them takes the radiosities away.
   if (const auto written = write_file(report.json, full_json(report)); !written) {
     return fail(err, kName, written.error());

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// As printf's "%.17g", whatever the locale.
 void append(std::string& text, double value) {
@@ -123,7 +121,7 @@ std::string factors_summary_json(const FactorsSolution& solution, const std::opt
     }
     json["channels"].push_back(channel);
   }
-  return json.dump(1) + "\n";
+  return dumped(json) + "\n";
 }
 
 }  // namespace etendue::cli

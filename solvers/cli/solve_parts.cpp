@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve_parts.hpp"
 
+#include <ostream>
+
+#include "etendue/image/exposure.hpp"
+#include "etendue/io/atomic_file.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "etendue/view/radiosity_view.hpp"
 #include "outputs.hpp"
+#include "progress.hpp"
+#include "stop.hpp"
 
 namespace etendue::cli {
 
 namespace fs = std::filesystem;
 
-fs::path solution_path(const fs::path& output, const fs::path& scene, const char* ending) {
-  std::string stem = output_stem(output, scene).string();
-  std::error_code absent;  // what does not exist is not the scene
-  if (output.empty() && fs::equivalent(stem + ".json", scene, absent)) stem += "-radiosity";
-  return stem + ending;
-}
+namespace {
 
-void add_write(Options& options, std::vector<fs::path>& files) {
-  options.paths("--write", "FILE",
-                "also: .csv, .npy (numbers), .vtu (ParaView), .obj, .gltf, .glb (coloured surfaces); repeatable",
-                files);
-}
+constexpr int kMostSamples = 16;  // a side, 256 a pixel
 
-Result<Done> write_solutions(const std::vector<fs::path>& files, const SolvedSurfaces& solved) {
-  std::vector<NewFile> all;
-  for (const fs::path& path : files) all.push_back(solution_file(path, solved));
-  return write_files(all);
-}
-
+/// What radiosity leaves out of this scene, one line each.
 std::vector<std::string> left_out(const Scene& scene) {
   std::vector<std::string> lines;
   if (!scene.lights.empty()) {
@@ -40,6 +33,97 @@ std::vector<std::string> left_out(const Scene& scene) {
     }
   }
   return lines;
+}
+
+/// All files that this run may write.
+std::vector<fs::path> outputs(const SolutionRequest& request, const std::string& suffix) {
+  std::vector<fs::path> all;
+  for (const char* ending : {".exr", ".png", ".json", ".incomplete.json"}) {
+    all.push_back(solution_path(request, suffix + ending));
+  }
+  all.insert(all.end(), request.written.begin(), request.written.end());
+  return all;
+}
+
+}  // namespace
+
+void add_results(Options& options, SolutionRequest& request) {
+  options.real("--exposure", "F",
+               "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
+               request.exposure, kLeastExposure, kMostExposure);
+  options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
+  add_common(options, request.common,
+             "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
+             "NAME-radiosity where NAME.json is the scene)");
+  options.alias("-o", "--output");
+  options.paths("--write", "FILE",
+                "also: .csv, .npy (numbers), .vtu (ParaView), .obj, .gltf, .glb (coloured surfaces); repeatable",
+                request.written);
+}
+
+fs::path solution_path(const SolutionRequest& request, const std::string& ending) {
+  std::string stem = output_stem(request.common.output, request.scene).string();
+  std::error_code absent;  // what does not exist is not the scene
+  if (request.common.output.empty() && fs::equivalent(stem + ".json", request.scene, absent)) stem += "-radiosity";
+  return stem + ending;
+}
+
+Result<SceneFile> opened(const SolutionRequest& request, const std::string& suffix) {
+  auto file = [&] {
+    const NothingToSave reading;
+    return read_scene(request.scene);
+  }();
+  if (!file) return file.error();
+  // Opens the module for images, which takes longer than refusing a scene.
+  const auto fit =
+      check_image_path(request.common.output.empty() ? solution_path(request, suffix + ".png") : request.common.output);
+  if (!fit) return fit.error();
+  if (const auto known = check_solution_paths(request.written); !known) return known.error();
+  if (const auto free = check_outputs(outputs(request, suffix), file->files); !free) return free.error();
+  return file;
+}
+
+Result<Done> check_memory(const fs::path& scene, const MemoryNeed& need) {
+  const auto room = check_memory(need);
+  if (!room) return Error{room.error().code, printable(scene.string()) + ": " + room.error().message};
+  return Done{};
+}
+
+void tell_left_out(std::ostream& err, const SolutionRequest& request, const Scene& scene) {
+  if (request.common.quiet) return;
+  for (const std::string& line : left_out(scene)) err << "etendue solve: left out: " << line << '\n';
+}
+
+Result<Image> drawn(const Scene& scene, const ElementMesh& mesh, const VertexRadiosities& vertices,
+                    const SolutionRequest& request, std::ostream& err) {
+  Progress progress(err, "picture", request.common);
+  return view_radiosities(scene.camera, mesh, vertices, scene.background, request.samples,
+                          execution(request.common, progress));
+}
+
+Result<Done> write_pictures(const SolutionFiles& files, const Image& radiosities, const Image& displayed,
+                            double exposure, ImageMetadata facts) {
+  facts.emplace_back("etendue:values", "radiosity [W/m2]");
+  const auto exr = encode_image(files.exr, radiosities, facts);
+  if (!exr) return exr.error();
+  facts.back().second = "radiosity times exposure";
+  facts.emplace_back("etendue:exposure", shortest(exposure));
+  const auto png = encode_image(files.png, displayed, facts);
+  if (!png) return png.error();
+  return write_files({*exr, *png});
+}
+
+Result<Done> write_solutions(const std::vector<fs::path>& files, const SolvedSurfaces& solved) {
+  std::vector<NewFile> all;
+  for (const fs::path& path : files) all.push_back(solution_file(path, solved));
+  return write_files(all);
+}
+
+void print_files(std::ostream& out, const SolutionFiles& files) {
+  for (const auto& path : {files.exr, files.png, files.json}) {
+    if (!path.empty()) out << printable(path.string()) << '\n';
+  }
+  for (const auto& path : files.written) out << printable(path.string()) << '\n';
 }
 
 }  // namespace etendue::cli

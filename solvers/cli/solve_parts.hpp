@@ -2,27 +2,64 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
+#include "etendue/image/image.hpp"
+#include "etendue/io/image_file.hpp"
+#include "etendue/io/scene_reader.hpp"
 #include "etendue/io/solution_file.hpp"
+#include "memory.hpp"
 #include "options.hpp"
 
 // What all methods of `etendue solve` share.
 namespace etendue::cli {
 
-/// The output's name with another ending; never that of the scene itself, where no name is asked for.
-[[nodiscard]] std::filesystem::path solution_path(const std::filesystem::path& output,
-                                                  const std::filesystem::path& scene, const char* ending);
+/// What every method is told: the scene, what to write, how to show it.
+struct SolutionRequest {
+  CommonOptions common;
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> written;  ///< --write
+  double exposure =
+      0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
+  int samples = 3;
+};
 
-/// Declares --write, by which a solution goes into files for other programs too.
-void add_write(Options& options, std::vector<std::filesystem::path>& files);
+/// Declares --exposure, --samples, --write and what every command understands.
+void add_results(Options& options, SolutionRequest& request);
+
+/// What a run has written; empty paths for what it has not.
+struct SolutionFiles {
+  std::filesystem::path exr, png, json;
+  std::vector<std::filesystem::path> written;  ///< by --write
+};
+
+/// The output's name with another ending; never that of the scene itself, where no name is asked for.
+[[nodiscard]] std::filesystem::path solution_path(const SolutionRequest& request, const std::string& ending);
+
+/// Reads the scene, and asks of all files that the run may write whether they can be. @param suffix to their names
+[[nodiscard]] Result<SceneFile> opened(const SolutionRequest& request, const std::string& suffix = "");
+
+/// check_memory(), whose refusal names the scene.
+[[nodiscard]] Result<Done> check_memory(const std::filesystem::path& scene, const MemoryNeed& need);
+
+/// Says what radiosity leaves out of this scene, a line each.
+void tell_left_out(std::ostream& err, const SolutionRequest& request, const Scene& scene);
+
+/// What the scene's camera sees of the radiosities; ErrorCode::stopped when the user asked for it meanwhile.
+[[nodiscard]] Result<Image> drawn(const Scene& scene, const ElementMesh& mesh, const VertexRadiosities& vertices,
+                                  const SolutionRequest& request, std::ostream& err);
+
+/// Writes both pictures: radiosities as EXR, what is displayed of them as PNG, with `facts` inside.
+[[nodiscard]] Result<Done> write_pictures(const SolutionFiles& files, const Image& radiosities, const Image& displayed,
+                                          double exposure, ImageMetadata facts);
 
 /// Writes the solution to these files, all or none.
 [[nodiscard]] Result<Done> write_solutions(const std::vector<std::filesystem::path>& files,
                                            const SolvedSurfaces& solved);
 
-/// What radiosity leaves out of this scene, one line each.
-[[nodiscard]] std::vector<std::string> left_out(const Scene& scene);
+/// Their names, a line each.
+void print_files(std::ostream& out, const SolutionFiles& files);
 
 }  // namespace etendue::cli

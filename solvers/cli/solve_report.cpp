@@ -2,38 +2,17 @@
 #include "solve_report.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "outputs.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr const char* kChannels[] = {"red", "green", "blue"};
-
-template <class Three>
-Json triple(const Three& v) {
-  return Json::array({v(0), v(1), v(2)});
-}
-
-/// JSON has no infinity: a bound that does not exist is null.
-Json finite_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-/// All beyond ASCII escaped: names that a terminal would take for a command pass it, a reader gets them back.
-std::string dumped(const Json& json) {
-  return json.dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
-}
 
 std::size_t rows_done(const SolveReport& report) {
   return static_cast<std::size_t>(std::count(report.matrix.row_done.begin(), report.matrix.row_done.end(), true));
@@ -278,21 +257,17 @@ std::string wide_enclosures_text(const SolveReport& report) {
 
 std::string summary_json(const SolveReport& report) {
   Json json = summary(report);
-  json["files"] = {{"scene", report.scene_path.string()}, {"json", report.json.string()}};
-  if (!report.png.empty()) {
-    json["files"]["exr"] = report.exr.string();
-    json["files"]["png"] = report.png.string();
-  }
-  for (const auto& path : report.written) json["files"]["written"].push_back(path.string());
+  json["files"] = files_json(report.scene_path, report);
   json["seconds"] = report.seconds;
-  return dumped(json);
+  return dumped(json) + "\n";
 }
 
 std::string full_json(const SolveReport& report) {
   Json json = summary(report);
   json["elements"] = Json::array();
   for (std::size_t k = 0; k < report.mesh.elements.size(); ++k) json["elements"].push_back(element_json(report, k));
-  return is_solved(report) ? dumped(json) : with_rows(dumped(json), report.matrix);
+  const std::string text = dumped(json) + "\n";
+  return is_solved(report) ? text : with_rows(text, report.matrix);
 }
 
 void print_summary(std::ostream& out, const SolveReport& report) {
@@ -336,10 +311,7 @@ void print_summary(std::ostream& out, const SolveReport& report) {
       << " negative extrapolations set to 0\n"
       << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n"
       << "time         " << rounded(report.seconds) << " s\n";
-  for (const auto& path : {report.exr, report.png, report.json}) {
-    if (!path.empty()) out << printable(path.string()) << '\n';
-  }
-  for (const auto& path : report.written) out << printable(path.string()) << '\n';
+  print_files(out, report);
 }
 
 }  // namespace etendue::cli

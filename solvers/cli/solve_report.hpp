@@ -11,11 +11,12 @@
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
+#include "solve_parts.hpp"
 
 namespace etendue::cli {
 
 /// Everything that `etendue solve` found out.
-struct SolveReport {
+struct SolveReport : SolutionFiles {
   SceneFile file;
   std::filesystem::path scene_path;
   std::string solver;
@@ -31,8 +32,6 @@ struct SolveReport {
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;
-  std::filesystem::path exr, png, json;
-  std::vector<std::filesystem::path> written;  ///< by --write
 };
 
 /// Are all channels solved?

@@ -21,6 +21,13 @@ std::string minimal_scene() {
   return (source_root() / "scenes" / "minimal" / "scene.json").string();
 }
 
+/// The minimal scene, seen in another resolution.
+std::string minimal_scene_of(const std::string& resolution) {
+  std::string text = read_text(minimal_scene());
+  const std::string own = "[64, 64]";
+  return text.replace(text.find(own), own.size(), resolution);
+}
+
 // CLAIM      `etendue --version` opens no OpenImageIO, which is what lets it answer in milliseconds (ci/measure).
 // ORACLE     exact: the dynamic linker's own account.
 // TOLERANCE  none.
@@ -253,9 +260,7 @@ TEST(Program, SignsThePicturesOfSolve) {
 TEST(Program, SavesWhatIsDoneWhenInterrupted) {
   proves({}, Oracle::exact, "exit code and the folder's contents");
   const TemporaryFolder folder;
-  std::string text = read_text(minimal_scene());
-  text.replace(text.find("[64, 64]"), 8, "[900, 900]");
-  const auto scene = folder.add("large.json", text).string();
+  const auto scene = folder.add("large.json", minimal_scene_of("[900, 900]")).string();
   ProcessOptions options;
   options.interrupt_after = 1.5;
   options.interrupt_again = 0.02;
@@ -281,9 +286,7 @@ TEST(Program, SavesWhatIsDoneWhenInterrupted) {
 TEST(Program, IsEndedByASignalThatComesLater) {
   proves({}, Oracle::exact, "the signal that ended it");
   const TemporaryFolder folder;
-  std::string text = read_text(minimal_scene());
-  text.replace(text.find("[64, 64]"), 8, "[9000, 9]");
-  const auto scene = folder.add("wide.json", text).string();
+  const auto scene = folder.add("wide.json", minimal_scene_of("[9000, 9]")).string();
   ProcessOptions options;
   options.interrupt_after = 1;
   options.interrupt_again = 1.5;

@@ -17,6 +17,15 @@ std::string mirrors() {
   return (source_root() / "scenes" / "mirrors" / "scene.json").string();
 }
 
+/// One ball before a camera of this angle and resolution.
+std::string ball_scene(const std::string& degrees, const std::string& resolution) {
+  return R"({"format": "etendue-scene", "version": 1, "unit": "m",
+ "camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": )" +
+         degrees + R"(, "resolution": )" + resolution + R"(},
+ "materials": {"grey": {"k_d": 0.5}},
+ "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})";
+}
+
 /// While one lives, this program and those that it starts may have so many bytes of address space, beyond what this one
 /// has: the sanitizers take terabytes for themselves.
 class AddressSpace {
@@ -132,10 +141,7 @@ TEST(RenderCommand, WritesBothPicturesAndAReport) {
 TEST(RenderCommand, RefusesColumnsThatMakeTooManyPixels) {
   proves({}, Oracle::exact, "exit code and message");
   const TemporaryFolder folder;
-  const auto scene = folder.add("tall.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
- "camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 1, "resolution": [1, 65536]},
- "materials": {"grey": {"k_d": 0.5}},
- "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})");
+  const auto scene = folder.add("tall.json", ball_scene("1", "[1, 65536]"));
   const Ended ended =
       run_etendue({"render", scene.string(), "--columns", "16384", "--output", (folder.path() / "a.png").string()});
   EXPECT_TRUE(holds(ended.code == 2)) << ended.code << ended.err;
@@ -154,10 +160,7 @@ TEST(RenderCommand, RefusesColumnsThatMakeTooManyPixels) {
 TEST(RenderCommand, RefusesAPictureThatNoMemoryHolds) {
   proves({}, Oracle::closed_form, "51 bytes a pixel");
   const TemporaryFolder folder;
-  const auto scene = folder.add("wide.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
- "camera": {"eye": [0, 0, 2], "look_at": [0, 0, 0], "up": [0, 1, 0], "horizontal_fov_deg": 90, "resolution": [65536, 4096]},
- "materials": {"grey": {"k_d": 0.5}},
- "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})");
+  const auto scene = folder.add("wide.json", ball_scene("90", "[65536, 4096]"));
   const std::vector<std::string> whole{"render", scene.string(), "--output", (folder.path() / "a.png").string()};
   std::vector<std::string> smaller = whole;
   smaller.insert(smaller.end(), {"--columns", "16", "--quiet"});

@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261127;
 
-RadiosityGoal goal(RadiositySolver solver, double tolerance = 1e-10) {
-  RadiosityGoal wanted;
-  wanted.solver = solver;
-  wanted.tolerance = tolerance;
-  return wanted;
-}
-
 /// Six walls, one patch each, in the order −x +x −y +y −z +z: only opposite ones differ from the other four.
 RowMatrix cube_factors(double opposite) {
   RowMatrix factors = RowMatrix::Constant(6, 6, (1 - opposite) / 4);

@@ -19,6 +19,13 @@ inline std::vector<RadiositySolver> all_solvers() {
   return all;
 }
 
+inline RadiosityGoal goal(RadiositySolver solver, double tolerance = 1e-10) {
+  RadiosityGoal wanted;
+  wanted.solver = solver;
+  wanted.tolerance = tolerance;
+  return wanted;
+}
+
 /// A room that leaks: A_i is a power of two, A_i F_ij a whole number, the same from both sides, so F is exact and reciprocal.
 /// ρ and E are multiples of 2^-10. Rows sum to 1 or less.
 inline RadiosityEquation dyadic_equation(CounterRandom& random, Eigen::Index n, Eigen::Index channels,

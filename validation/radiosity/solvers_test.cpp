@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20261126;
 
-RadiosityGoal goal(RadiositySolver solver, double tolerance = 1e-10) {
-  RadiosityGoal wanted;
-  wanted.solver = solver;
-  wanted.tolerance = tolerance;
-  return wanted;
-}
-
 /// The same form factors in each form that a caller may have: dense, sparse, a function that multiplies.
 std::vector<std::shared_ptr<const FormFactors>> forms(const FormFactors& factors) {
   const Eigen::MatrixXd dense = factors.dense();

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "etendue/core/interval.hpp"
+#include "etendue/core/text_of.hpp"
 
 namespace etendue {
 
@@ -14,10 +14,7 @@ namespace {
 
 template <class... Parts>
 Error error(ErrorCode code, const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(17);
-  (text << ... << parts);
-  return {code, "enclosed radiosity system: " + text.str()};
+  return {code, text_of("enclosed radiosity system: ", parts...)};
 }
 
 /// The first entry whose lower end is not below its upper one, where entries can be looked at.

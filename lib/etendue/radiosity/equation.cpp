@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/core/text_of.hpp"
 
 namespace etendue {
 
@@ -17,10 +17,7 @@ constexpr std::size_t kRowsNamed = 5;
 
 template <class... Parts>
 Error invalid(const std::string& prefix, const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(17);
-  (text << ... << parts);
-  return {ErrorCode::invalid_input, prefix + "radiosity system: " + text.str()};
+  return {ErrorCode::invalid_input, text_of(prefix, "radiosity system: ", parts...)};
 }
 
 std::optional<Error> bad_channel(const RadiosityEquation& equation, Eigen::Index c, const Eigen::VectorXd& row_sums) {
@@ -42,15 +39,12 @@ std::optional<Error> bad_channel(const RadiosityEquation& equation, Eigen::Index
 std::optional<Error> excessive(const Eigen::VectorXd& row_sums, double excess) {
   const std::vector<RowSum> rows = rows_above_one(row_sums, excess);
   if (rows.empty()) return std::nullopt;
-  std::ostringstream text;
-  text.precision(17);
-  text << rows.size() << (rows.size() == 1 ? " row sums" : " rows sum") << " to more than 1 + " << excess << ": ";
+  std::string worst;
   for (std::size_t k = 0; k < std::min(rows.size(), kRowsNamed); ++k) {
-    text << (k > 0 ? ", " : "") << "row " << rows[k].row << " to " << rows[k].sum;
+    worst += text_of(k > 0 ? ", " : "", "row ", rows[k].row, " to ", rows[k].sum);
   }
-  if (rows.size() > kRowsNamed) text << ", …";
-  text << "; no patch gives out more than it has";
-  return invalid("", text.str());
+  return invalid("", rows.size(), rows.size() == 1 ? " row sums" : " rows sum", " to more than 1 + ", excess, ": ",
+                 worst, rows.size() > kRowsNamed ? ", …" : "", "; no patch gives out more than it has");
 }
 
 }  // namespace

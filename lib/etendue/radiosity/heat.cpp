@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/core/text_of.hpp"
 #include "etendue/linear/dense_solve.hpp"
 #include "etendue/radiosity/equation.hpp"
 
@@ -18,10 +18,7 @@ namespace {
 
 template <class... Parts>
 Error error(ErrorCode code, const Parts&... parts) {
-  std::ostringstream text;
-  text.precision(17);
-  (text << ... << parts);
-  return {code, "heat exchange: " + text.str()};
+  return {code, text_of("heat exchange: ", parts...)};
 }
 
 template <class... Parts>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
+#include "etendue/core/text_of.hpp"
 #include "etendue/linear/dense_solve.hpp"
 #include "etendue/radiosity/certificate.hpp"
 #include "etendue/radiosity/iteration.hpp"
@@ -29,12 +29,9 @@ Error overflow(const RadiosityEquation& equation, const RadiosityJudge& judge, E
   for (Eigen::Index i = 1; i < equation.emission.rows(); ++i) {
     if (reach(equation, judge, i, c) > reach(equation, judge, worst, c)) worst = i;
   }
-  std::ostringstream text;
-  text.precision(17);
-  text << channel_prefix(equation, c) << "radiosity system: row " << worst << ": emission "
-       << equation.emission(worst, c) << " with 1 − ρ Σ_j F_ij = " << judge.margin(worst, c)
-       << ": radiosities or their bounds overflow";
-  return {ErrorCode::invalid_input, text.str()};
+  return {ErrorCode::invalid_input, text_of(channel_prefix(equation, c), "radiosity system: row ", worst, ": emission ",
+                                            equation.emission(worst, c), " with 1 − ρ Σ_j F_ij = ",
+                                            judge.margin(worst, c), ": radiosities or their bounds overflow")};
 }
 
 /// Headroom for the sums of n products that solvers form; what overflows all the same is seen afterwards.

@@ -43,7 +43,9 @@ void enter(SceneRadiosity& result, const RadiosityEquation& equation, const Radi
   for (Eigen::Index c = 0; c < report.radiosity.cols(); ++c) {
     const std::size_t channel = first + static_cast<std::size_t>(c);
     for (std::size_t i = 0; i < result.radiosity.size(); ++i) {
-      result.radiosity[i](static_cast<Eigen::Index>(channel)) = report.radiosity(static_cast<Eigen::Index>(i), c);
+      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(channel);
+      result.radiosity[i](column) = report.radiosity(row, c);
+      result.irradiance[i](column) = report.incident(row, c);
     }
     result.channels[channel] = {
         {report.radiosity.col(c), report.residual(c), report.bound(c), report.backward_error(c)},
@@ -71,6 +73,7 @@ Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMe
       radiosity_equation(scene, mesh, std::make_shared<DenseFactors>(matrix.factors, schedule));
   SceneRadiosity result;
   result.radiosity.assign(n, Rgb::Zero());
+  result.irradiance.assign(n, Rgb::Zero());
   // One channel at a time where a solver has nothing to share, so that those that are done are kept when it stops.
   const Eigen::Index parts = is_direct(goal.solver) ? 3 : 1;
   std::vector<RadiosityReport> solved;

@@ -20,7 +20,8 @@ struct ChannelRadiosity {
 };
 
 struct SceneRadiosity {
-  std::vector<Rgb> radiosity;  ///< B of each element [W/m²]
+  std::vector<Rgb> radiosity;   ///< B of each element [W/m²]
+  std::vector<Rgb> irradiance;  ///< H = F B of each element [W/m²]
   std::array<ChannelRadiosity, 3> channels;
   std::size_t solved = 3;  ///< the first so many channels are; fewer only when stopped, the others are zero
   RadiosityStatus status = RadiosityStatus::reached;  ///< of an iteration; of direct solvers, of the last channel

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/text_of.hpp"
 #include "etendue/form_factor/catalogue/families.hpp"
 
 namespace etendue::catalogue {
@@ -36,12 +37,9 @@ bool is_allowed(const Parameter& parameter, double value) {
 }
 
 std::string as_text(double value) {
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
   std::ostringstream brief;
   brief << value;
-  return std::stod(brief.str()) == value ? brief.str() : text.str();
+  return std::stod(brief.str()) == value ? brief.str() : text_of(value);
 }
 
 std::string found(const Parameter& parameter, double value) {
