@@ -261,7 +261,7 @@ Result<FactorsSolution> solved(const Request& request, const Data& data, std::os
   const Execution run = execution(request.common, progress);
   goal.may_go_on = [&run](Eigen::Index done, Eigen::Index total) {
     if (run.progress) run.progress(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
-    return !(run.stop && *run.stop);
+    return !run.stopping();
   };
   auto report = solve_radiosity(data.equation, goal);
   if (!report) return report.error();

@@ -75,8 +75,7 @@ void clamp(ObstructedFormFactor& f) {
 ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,
                                             std::span<const Blocker* const> blockers, Tolerance tolerance) {
   require(tolerance.relative >= 0 && tolerance.absolute >= 0, "obstructed_form_factor: tolerances are not negative");
-  const Tolerance of_free{kFreeShare * tolerance.relative, kFreeShare * tolerance.absolute};
-  return obstructed_form_factor(from, to, blockers, tolerance, form_factor(from, to, of_free));
+  return obstructed_form_factor(from, to, blockers, tolerance, form_factor(from, to, free_share(tolerance)));
 }
 
 ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,

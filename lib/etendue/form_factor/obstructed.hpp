@@ -48,6 +48,9 @@ struct ObstructedFormFactor : Bounded {
 
 /// The share of the tolerance that the free factor's proved error may use.
 inline constexpr double kFreeShare = 0.1;
+[[nodiscard]] constexpr Tolerance free_share(const Tolerance& whole) {
+  return {kFreeShare * whole.relative, kFreeShare * whole.absolute};
+}
 
 /// The same where the free factor is known already, to kFreeShare of the tolerance.
 [[nodiscard]] ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& to,

@@ -60,7 +60,9 @@ double ShadowView::factor_of(const Part& part) {
     if (!(square > 0)) continue;
     const double dot = a.dot(b), tangent_square = square / (dot * dot);
     if (dot > 0 && tangent_square < kShortArc) {
-      sum += across.z() / dot * arc_over_tangent(tangent_square);
+      double arc = 0;
+      arc_over_tangent(tangent_square, arc);
+      sum += across.z() / dot * arc;
       continue;
     }
     const double size = std::sqrt(square);

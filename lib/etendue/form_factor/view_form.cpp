@@ -46,13 +46,7 @@ constexpr int kHalvings = 3;
   ray = {start * a.along.x() - slope * ax, start * a.along.y() - slope * ay, start * a.along.z() - slope * az};
 }
 
-/// arc_over_tangent() in all lanes.
-[[gnu::always_inline]] inline void short_arcs(const Row& q, Row& result) {
-  result = 1.0 / 17 + Row{};
-  for (int k = 15; k > 0; k -= 2) result = 1.0 / k - q * result;
-}
-
-/// The same up to kLongArc, by atan(√q) = 2 atan(√q'), q' = q/(1 + √(1 + q))².
+/// arc_over_tangent() up to kLongArc, by atan(√q) = 2 atan(√q'), q' = q/(1 + √(1 + q))².
 [[gnu::always_inline]] inline void long_arcs(const Row& tangents, Row& result) {
   Row q = tangents, share = 1.0 + Row{};
   for (int k = 0; k < kHalvings; ++k) {
@@ -62,7 +56,7 @@ constexpr int kHalvings = 3;
     share *= 2 * root;
     q *= root * root;
   }
-  short_arcs(q, result);
+  arc_over_tangent(q, result);
   result *= share;
 }
 
@@ -73,7 +67,7 @@ constexpr int kHalvings = 3;
   bool all_short = true;
   for (std::size_t l = 0; l < kSide; ++l) all_short = all_short && dot[l] > 0 && tangent[l] < kShortArc;
   Row arc;
-  short_arcs(tangent, arc);
+  arc_over_tangent(tangent, arc);
   arc *= cz * inverse;
   if (all_short) {
     sum += arc;

@@ -41,10 +41,10 @@ void add_factors(std::span<const ViewEdge> edges, std::span<const ViewCorner> fo
 
 /// Arc length over tangent, atan(√q)/√q, for 0 ≤ q ≤ kShortArc: what Taylor's series leaves out, q⁹/19, is below 2^-58.
 inline constexpr double kShortArc = 1.0 / 64;
-[[gnu::always_inline]] inline double arc_over_tangent(double q) {
-  double sum = 1.0 / 17;
-  for (int k = 15; k > 0; k -= 2) sum = 1.0 / k - q * sum;
-  return sum;
+template <class Number>  // double, or several side by side
+[[gnu::always_inline]] inline void arc_over_tangent(const Number& q, Number& result) {
+  result = 1.0 / 17 + Number{};
+  for (int k = 15; k > 0; k -= 2) result = 1.0 / k - q * result;
 }
 
 }  // namespace etendue

@@ -86,7 +86,7 @@ Result<CertifiedRadiosity> solve_certified(const Scene& scene, const ElementMesh
   const Schedule schedule = on_threads(execution.threads);
   const auto upper = std::make_shared<DenseFactors>(factors.upper, schedule);
   const RadiosityEquation equation = radiosity_equation(scene, mesh, upper);
-  goal.may_go_on = [&execution](Eigen::Index, Eigen::Index) { return !(execution.stop && *execution.stop); };
+  goal.may_go_on = [&execution](Eigen::Index, Eigen::Index) { return !execution.stopping(); };
   const auto enclosed =
       enclose_radiosity({std::make_shared<DenseFactors>(factors.lower, schedule), upper, equation.reflectance,
                          equation.reflectance, equation.emission, equation.emission, equation.areas, equation.channels},

@@ -105,9 +105,8 @@ void ExactExchange::find_clear(const Tile& tile, AbsoluteError error, std::vecto
 }
 
 void ExactExchange::find_obstructed(const Tile& tile, AbsoluteError error, std::vector<SeenPair>& seen) const {
-  const Tolerance of_free{kFreeShare * tolerance_.obstructed.relative, kFreeShare * tolerance_.obstructed.absolute};
   std::vector<Bounded> free(tile.obstructed.size());
-  rows_.pairs(tile.named(tile.obstructed), of_free, error, free);
+  rows_.pairs(tile.named(tile.obstructed), free_share(tolerance_.obstructed), error, free);
   for (std::size_t k = 0; k < tile.obstructed.size(); ++k) {
     const auto [i, j] = tile.pairs[tile.obstructed[k]];
     ElementPair pair{mesh_.elements[i].polygon, mesh_.elements[j].polygon, tile.lines[k].bodies, {}};

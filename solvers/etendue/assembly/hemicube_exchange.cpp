@@ -168,21 +168,39 @@ std::vector<SeenShare> ItemScene::seen_from(const Vec3& point, std::size_t own_f
   return gathered(factors);
 }
 
+std::vector<SeenShare> mean_seen(const ItemScene& scene, const Element& from, std::size_t number,
+                                 const HemicubeSettings& settings, const PixelProjection& projection, LookingDesk& desk,
+                                 int threads) {
+  const std::vector<StandPoint> points = stand_points(from.polygon, settings.points);
+  std::vector<SeenShare> all;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double turn = settings.rotate ? turn_of(settings.seed, number, k) : 0;
+    auto shares = scene.seen_from(points[k].point, from.face, projection, turn, desk, threads);
+    if (points.size() == 1) return shares;
+    for (SeenShare& share : shares) share.factor *= points[k].share;
+    all.insert(all.end(), shares.begin(), shares.end());
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const SeenShare& a, const SeenShare& b) { return a.element < b.element; });
+  std::vector<SeenShare> mean;
+  for (const SeenShare& share : all) {
+    if (!mean.empty() && mean.back().element == share.element) {
+      mean.back().factor += share.factor;
+    } else {
+      mean.push_back(share);
+    }
+  }
+  return mean;
+}
+
 HemicubeExchange::HemicubeExchange(const ElementMesh& mesh, const HemicubeSettings& settings,
                                    const Execution& execution)
     : mesh_(mesh), settings_(settings), areas_(areas_of(mesh)), seen_(mesh.elements.size()), sight_(mesh) {
   const ItemScene scene(mesh);
   const PixelProjection projection(settings.body, settings.resolution);
   complete_ = parallel_for(mesh.elements.size(), execution, [&](std::size_t i) {
-    const std::vector<StandPoint> points = stand_points(mesh.elements[i].polygon, settings_.points);
-    std::vector<double> factors(mesh.elements.size(), 0.0);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double turn = settings_.rotate ? turn_of(settings_.seed, i, k) : 0;
-      for (const SeenShare& seen : scene.seen_from(points[k].point, mesh.elements[i].face, projection, turn)) {
-        factors[seen.element] += points[k].share * seen.factor;
-      }
-    }
-    seen_[i] = gathered(factors);
+    LookingDesk desk;
+    seen_[i] = mean_seen(scene, mesh.elements[i], i, settings_, projection, desk, 1);
   });
 }
 

@@ -72,6 +72,12 @@ class ItemScene {
   std::vector<std::size_t> drawn_;                  ///< items that go into the buffer
 };
 
+/// What is seen from the front of an element: the mean over the points on which bodies stand, by number of element.
+/// @param number of the element, by which its bodies are turned
+[[nodiscard]] std::vector<SeenShare> mean_seen(const ItemScene& scene, const Element& from, std::size_t number,
+                                               const HemicubeSettings& settings, const PixelProjection& projection,
+                                               LookingDesk& desk, int threads);
+
 /// Form factors by the hemicube, or by the cubic tetrahedron: an item buffer on each element tells what its pixels see.
 ///
 ///     F_ij ≈ Σ_k a_k Σ_q ΔF_q [q sees j from p_k],   A_i F_ij = (A_j (A_i F_ij) + A_i (A_j F_ji))/(A_i + A_j)

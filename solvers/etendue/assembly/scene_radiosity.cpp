@@ -85,7 +85,7 @@ Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMe
       if (execution.progress) {
         execution.progress(static_cast<std::size_t>(part * total + done), static_cast<std::size_t>(parts * total));
       }
-      return !(execution.stop && *execution.stop);
+      return !execution.stopping();
     };
     auto report = solve_radiosity(parts == 1 ? equation : only_channel(equation, part), own);
     if (!report && report.error().code != ErrorCode::stopped) return report.error();

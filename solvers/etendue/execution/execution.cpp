@@ -27,7 +27,7 @@ bool parallel_for(std::size_t count, const Execution& execution, const std::func
   std::mutex mutex;
 
   const auto work = [&] {
-    while (!failed && !(execution.stop && *execution.stop)) {
+    while (!failed && !execution.stopping()) {
       const std::size_t item = next++;
       if (item >= count) return;
       try {

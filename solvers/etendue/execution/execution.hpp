@@ -15,6 +15,8 @@ struct Execution {
   std::function<void(std::size_t done, std::size_t total)> progress;
   /// When it turns true, no further item is begun; may be null.
   const std::atomic<bool>* stop = nullptr;
+
+  bool stopping() const { return stop && *stop; }
 };
 
 /// Calls body(i) once for each i in [0, count), in any order, on execution.threads threads, and tells whether all were

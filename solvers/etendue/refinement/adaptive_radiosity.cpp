@@ -10,10 +10,6 @@ namespace etendue {
 
 namespace {
 
-bool stop_asked(const Execution& execution) {
-  return execution.stop && *execution.stop;
-}
-
 double white(const Scene& scene, const AdaptiveMesh& mesh, const std::vector<Rgb>& radiosity) {
   double most = 0;
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
@@ -39,9 +35,9 @@ bool take_over(const Scene& scene, const std::vector<Rgb>& shot, const SceneShoo
   state = before_shooting(model, emissions_of(scene, model));
   for (std::size_t j = 0; j < shot.size(); ++j) {
     if ((shot[j] == 0).all()) continue;
-    if (stop_asked(execution)) return false;
+    if (execution.stopping()) return false;
     const std::vector<SeenShare> column = factors.from_patch(j, execution);
-    if (column.empty() && stop_asked(execution)) return false;
+    if (column.empty() && execution.stopping()) return false;
     const Rgb received = state.unshot[j];
     state.unshot[j] = shot[j];  // what the step takes for unshot, it shoots
     shoot(state, scene, model, j, column);
@@ -149,7 +145,7 @@ void balance(const Scene& scene, AdaptiveSolution& solution) {
 Result<Done> solve_patches(const Scene& scene, AdaptiveSolution& solution, const Eigen::MatrixXd& rows,
                            const Execution& execution) {
   const Eigen::MatrixXd between_patches = patch_form_factors(substructure_of(solution.model), rows);
-  const auto may_go_on = [&](Eigen::Index, Eigen::Index) { return !stop_asked(execution); };
+  const auto may_go_on = [&](Eigen::Index, Eigen::Index) { return !execution.stopping(); };
   solution.state.irradiance.assign(solution.model.element_areas.size(), Rgb::Zero());
   for (Eigen::Index channel = 0; channel < 3; ++channel) {
     const auto done = solve_channel(scene, solution, rows, between_patches, channel, may_go_on);

@@ -19,42 +19,18 @@ class Hemicubes : public PatchFactors {
         projection_(settings.body, settings.resolution) {}
 
   std::vector<SeenShare> from_patch(std::size_t patch, const Execution& execution) override {
-    return seen(elements_, model_.patches.elements[patch], patch, desk_, execution.threads);
+    return mean_seen(elements_, model_.patches.elements[patch], patch, settings_, projection_, desk_,
+                     execution.threads);
   }
 
   std::vector<SeenShare> from_element(std::size_t element) const override {
     LookingDesk desk;
-    return seen(patches_, model_.elements.elements[element], element, desk, 1);
+    return mean_seen(patches_, model_.elements.elements[element], element, settings_, projection_, desk, 1);
   }
 
   bool reciprocal() const override { return false; }
 
  private:
-  /// The mean over the points on which a body stands.
-  std::vector<SeenShare> seen(const ItemScene& scene, const Element& from, std::size_t number, LookingDesk& desk,
-                              int threads) const {
-    const std::vector<StandPoint> points = stand_points(from.polygon, settings_.points);
-    std::vector<SeenShare> mean;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double turn = settings_.rotate ? turn_of(settings_.seed, number, k) : 0;
-      auto shares = scene.seen_from(points[k].point, from.face, projection_, turn, desk, threads);
-      if (points.size() == 1) return shares;
-      for (SeenShare& share : shares) share.factor *= points[k].share;
-      mean.insert(mean.end(), shares.begin(), shares.end());
-    }
-    std::stable_sort(mean.begin(), mean.end(),
-                     [](const SeenShare& a, const SeenShare& b) { return a.element < b.element; });
-    std::vector<SeenShare> merged;
-    for (const SeenShare& share : mean) {
-      if (!merged.empty() && merged.back().element == share.element) {
-        merged.back().factor += share.factor;
-      } else {
-        merged.push_back(share);
-      }
-    }
-    return merged;
-  }
-
   const PatchModel& model_;
   HemicubeSettings settings_;
   ItemScene elements_, patches_;

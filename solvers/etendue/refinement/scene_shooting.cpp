@@ -132,13 +132,12 @@ void shoot(SceneShooting& state, const Scene& scene, const PatchModel& model, st
 ShootingEnd shoot_until(SceneShooting& state, const Scene& scene, const PatchModel& model, PatchFactors& factors,
                         const SceneShootingGoal& goal, const Execution& execution,
                         const std::function<void(const SceneShooting&)>& told) {
-  const auto stopped = [&] { return execution.stop && *execution.stop; };
   while (state.unshot_shares.back() > goal.unshot_share) {
     if (state.steps >= goal.most_steps) return ShootingEnd::steps_used_up;
-    if (stopped()) return ShootingEnd::stopped;
+    if (execution.stopping()) return ShootingEnd::stopped;
     const std::size_t patch = brightest_unshot(model, state);
     const std::vector<SeenShare> column = factors.from_patch(patch, execution);
-    if (column.empty() && stopped()) return ShootingEnd::stopped;
+    if (column.empty() && execution.stopping()) return ShootingEnd::stopped;
     shoot(state, scene, model, patch, column, goal.rule);
     if (told) told(state);
   }

@@ -117,7 +117,7 @@ Result<Image> view_radiosities(const Camera& camera, const ElementMesh& mesh, co
   }
   Painter painter(*frame, camera.columns * samples, camera.rows * samples, kNearPlane * diagonal(mesh), background);
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
-    if (execution.stop && *execution.stop) return Error{ErrorCode::stopped, "the picture was stopped"};
+    if (execution.stopping()) return Error{ErrorCode::stopped, "the picture was stopped"};
     painter.draw(mesh.elements[k].polygon, radiosities.corners[k]);
     if (execution.progress) execution.progress(k + 1, mesh.elements.size());
   }
