@@ -224,7 +224,7 @@ Result<Done> write_pictures(RefinedReport& report, const ElementMesh& shown, std
 ElementMesh prepare_view(RefinedReport& report) {
   const Scene& scene = report.file.scene;
   const PatchModel& model = report.solution.model;
-  ElementMesh shown = report.request.adaptive() ? with_shared_vertices(model.elements) : model.elements;
+  ElementMesh shown = with_shared_vertices(model.elements);
   const auto blind =
       without_view(model, report.solution.state.irradiance, {report.request.common.threads, {}, nullptr});
   const std::vector<Rgb> values =

@@ -39,9 +39,9 @@ bool read_cells(const Json& elements, AdaptiveMesh& mesh) {
     cells.push_back({element.at("face").get<std::size_t>(), element.at("patch").get<std::size_t>(), at.at(0).get<int>(),
                      at.at(1).get<std::int64_t>(), at.at(2).get<std::int64_t>()});
     const MeshCell& cell = cells.back();
-    if (cell.face >= mesh.faces.size() || cell.patch >= mesh.patches || cell.level < 0 || cell.level > kDeepestCell) {
-      return false;
-    }
+    if (cell.face >= mesh.faces.size() || cell.patch >= mesh.patches || cell.level > kDeepestCell) return false;
+    const bool piece = cell.level == kPiece && cell.a >= 0 && cell.a < static_cast<std::int64_t>(mesh.pieces.size());
+    if (cell.level < 0 && !piece) return false;
   }
   mesh.cells = std::move(cells);
   return true;

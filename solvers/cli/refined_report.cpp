@@ -64,6 +64,8 @@ Json summary(const RefinedReport& report) {
   json["mesh"] = {{"faces", solution.mesh.faces.size()},
                   {"patches", solution.mesh.patches},
                   {"elements", solution.mesh.cells.size()}};
+  if (report.request.element_size > 0) json["mesh"]["element_size"] = report.request.element_size;
+  if (report.file.scene.align_mesh) json["mesh"]["aligned"] = true;
   json["form_factors"] = {{"bounded", report.bounded}, {"pairs_beyond_tolerance", solution.missed}};
   json["rounds"] = Json::array();
   for (const AdaptiveRound& round : solution.rounds) {

@@ -67,6 +67,7 @@ void add_method(Options& options, std::string& method) {
 
 void declare(Options& options, RefinedRequest& request) {
   declare_method(options, request);
+  add_meshing(options, request);
   declare_shooting(options, request);
   declare_adaptive(options, request);
   add_results(options, request);
@@ -128,6 +129,8 @@ std::string RefinedRequest::settings() const {
   if (eliminates()) line += ", by elimination";
   if (overshoot) line += ", overshooting";
   if (per_light) line += ", per light";
+  if (element_size > 0) line += ", elements within " + shortest(element_size);
+  if (align_mesh) line += ", aligned";
   if (adaptive()) {
     line += ", threshold " + shortest(threshold) + ", " + std::to_string(levels) + " levels, at most " +
             std::to_string(most_elements) + " elements, unshot " + shortest(unshot);

@@ -9,6 +9,7 @@
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/meshing/element_count.hpp"
+#include "etendue/meshing/shared_vertices.hpp"
 #include "etendue/meshing/surface_checks.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
@@ -49,26 +50,28 @@ ImageMetadata metadata(const SolveReport& report, int samples) {
           {"etendue:samples_per_side", std::to_string(samples)}};
 }
 
-/// What the display of the solution needs, and NAME.json names.
-void prepare_view(SolveReport& report, const Request& request) {
+/// A mesh whose elements meet in corners, and what its display needs and NAME.json names.
+ElementMesh prepare_view(SolveReport& report, const Request& request) {
   const Scene& scene = report.file.scene;
-  report.vertices = vertex_radiosities(report.mesh, report.solution->radiosity, report.closure.covered);
-  report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, report.mesh, report.vertices);
+  ElementMesh shown = with_shared_vertices(report.mesh);
+  report.vertices = vertex_radiosities(shown, report.solution->radiosity, report.closure.covered);
+  report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, shown, report.vertices);
+  return shown;
 }
 
 /// The solution as other programs want it; H = F B.
-SolvedSurfaces surfaces(const SolveReport& report) {
-  SolvedSurfaces solved{report.file.scene,           report.mesh, report.vertices, report.solution->radiosity,
-                        report.solution->irradiance, {},          report.exposure};
-  for (const Element& element : report.mesh.elements) {
-    solved.emission.push_back(report.file.scene.materials[report.mesh.face_of(element).material].emission);
+SolvedSurfaces surfaces(const SolveReport& report, const ElementMesh& shown) {
+  SolvedSurfaces solved{report.file.scene,           shown, report.vertices, report.solution->radiosity,
+                        report.solution->irradiance, {},    report.exposure};
+  for (const Element& element : shown.elements) {
+    solved.emission.push_back(report.file.scene.materials[shown.face_of(element).material].emission);
   }
   return solved;
 }
 
 /// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
-Result<Done> write_pictures(SolveReport& report, const Request& request, std::ostream& err) {
-  const auto picture = drawn(report.file.scene, report.mesh, report.vertices, request, err);
+Result<Done> write_pictures(SolveReport& report, const ElementMesh& shown, const Request& request, std::ostream& err) {
+  const auto picture = drawn(report.file.scene, shown, report.vertices, request, err);
   if (!picture) return picture.error();
   report.exr = solution_path(request, ".exr");
   report.png = solution_path(request, ".png");
@@ -99,6 +102,7 @@ void declare(Options& options, Request& request) {
   options.real("--certify-tolerance", "T",
                "relative half width asked of enclosures past obstructions (default: 0.02), work allowing",
                request.certified, 1e-9, 1);
+  add_meshing(options, request);
   add_results(options, request);
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
@@ -156,6 +160,7 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   report.file = std::move(file).value();
   report.scene_path = request.scene;
   report.solver = request.solver;
+  report.element_size = request.element_size;
   report.certify_tolerance = request.certified;
   report.tolerance.obstructed = {request.tolerance, request.tolerance * kAbsoluteShare};
   if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
@@ -222,7 +227,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   if (!outcome) return fail(err, kName, outcome.error());
   SolveReport report = std::move(outcome).value();
   tell_left_out(err, request, report.file.scene);
-  if (is_solved(report)) prepare_view(report, request);
+  const ElementMesh shown = is_solved(report) ? prepare_view(report, request) : ElementMesh{};
   report.json = solution_path(request, is_solved(report) ? ".json" : ".incomplete.json");
   // Before the pictures: nothing that happens to them takes the radiosities away.
   if (const auto written = write_file(report.json, full_json(report)); !written) {
@@ -231,12 +236,12 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   std::optional<Error> lost;
   if (is_solved(report)) {
     if (!request.written.empty()) {
-      if (const auto written = write_solutions(request.written, surfaces(report)); !written) {
+      if (const auto written = write_solutions(request.written, surfaces(report, shown)); !written) {
         return fail(err, kName, written.error());
       }
       report.written = request.written;
     }
-    const auto pictures = write_pictures(report, request, err);
+    const auto pictures = write_pictures(report, shown, request, err);
     if (!pictures) lost = pictures.error();
   }
   if (lost && lost->code != ErrorCode::stopped) return fail(err, kName, *lost);

@@ -2,9 +2,11 @@
 #include "solve_parts.hpp"
 
 #include <ostream>
+#include <utility>
 
 #include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/io/scene_node.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
@@ -19,6 +21,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSamples = 16;  // a side, 256 a pixel
+
+/// Of --element-size; kLargestNumber of the scene format, and its inverse.
+constexpr double kLeastSize = 1 / kLargestNumber;
 
 /// What radiosity leaves out of this scene, one line each.
 std::vector<std::string> left_out(const Scene& scene) {
@@ -47,6 +52,16 @@ std::vector<fs::path> outputs(const SolutionRequest& request, const std::string&
 
 }  // namespace
 
+void add_meshing(Options& options, SolutionRequest& request) {
+  options.real(
+      "--element-size", "X",
+      "divide all surfaces so that no element's side is longer than X, in the scene's unit, in place of what the\n"
+      "scene says of \"elements\"",
+      request.element_size, kLeastSize, kLargestNumber);
+  options.flag("--align-mesh", "cut elements where other objects stand on them, or pierce them, so that no light leaks",
+               request.align_mesh);
+}
+
 void add_results(Options& options, SolutionRequest& request) {
   options.real("--exposure", "F",
                "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
@@ -69,17 +84,22 @@ fs::path solution_path(const SolutionRequest& request, const std::string& ending
 }
 
 Result<SceneFile> opened(const SolutionRequest& request, const std::string& suffix) {
-  auto file = [&] {
+  auto read = [&] {
     const NothingToSave reading;
     return read_scene(request.scene);
   }();
-  if (!file) return file.error();
+  if (!read) return read.error();
+  SceneFile file = std::move(read).value();
+  file.scene.align_mesh = file.scene.align_mesh || request.align_mesh;
+  for (Object& object : file.scene.objects) {
+    if (request.element_size > 0) object.subdivision.element_size = request.element_size;
+  }
   // Opens the module for images, which takes longer than refusing a scene.
   const auto fit =
       check_image_path(request.common.output.empty() ? solution_path(request, suffix + ".png") : request.common.output);
   if (!fit) return fit.error();
   if (const auto known = check_solution_paths(request.written); !known) return known.error();
-  if (const auto free = check_outputs(outputs(request, suffix), file->files); !free) return free.error();
+  if (const auto free = check_outputs(outputs(request, suffix), file.files); !free) return free.error();
   return file;
 }
 

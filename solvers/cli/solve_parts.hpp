@@ -24,7 +24,12 @@ struct SolutionRequest {
   double exposure =
       0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
   int samples = 3;
+  double element_size = 0;  ///< 0, which --element-size does not take: as the scene says
+  bool align_mesh = false;  ///< or as the scene says
 };
+
+/// Declares --element-size and --align-mesh.
+void add_meshing(Options& options, SolutionRequest& request);
 
 /// Declares --exposure, --samples, --write and what every command understands.
 void add_results(Options& options, SolutionRequest& request);
@@ -38,7 +43,8 @@ struct SolutionFiles {
 /// The output's name with another ending; never that of the scene itself, where no name is asked for.
 [[nodiscard]] std::filesystem::path solution_path(const SolutionRequest& request, const std::string& ending);
 
-/// Reads the scene, and asks of all files that the run may write whether they can be. @param suffix to their names
+/// Reads the scene, with the meshing that is asked for, and asks of all files that the run may write whether they can be.
+/// @param suffix to their names
 [[nodiscard]] Result<SceneFile> opened(const SolutionRequest& request, const std::string& suffix = "");
 
 /// check_memory(), whose refusal names the scene.

@@ -128,6 +128,8 @@ Json summary(const SolveReport& report) {
                       {"tolerance_obstructed", report.tolerance.obstructed.relative}};
   json["mesh"] = {
       {"faces", report.mesh.faces.size()}, {"patches", report.mesh.patches}, {"elements", report.mesh.elements.size()}};
+  if (report.element_size > 0) json["mesh"]["element_size"] = report.element_size;
+  if (report.file.scene.align_mesh) json["mesh"]["aligned"] = true;
   json["pairs"] = {{"averted", matrix.pairs.averted},
                    {"clear", matrix.pairs.clear},
                    {"blocked", matrix.pairs.blocked},

@@ -20,6 +20,7 @@ struct SolveReport : SolutionFiles {
   SceneFile file;
   std::filesystem::path scene_path;
   std::string solver;
+  double element_size = 0;  ///< of --element-size; 0: as the scene says
   AssemblyTolerance tolerance;
   ElementMesh mesh;
   FormFactorMatrix matrix;

@@ -149,5 +149,42 @@ TEST(RefinedCommand, RelightsWhatItSolvedPerLight) {
   }
 }
 
+// CLAIM      IU.6.5.1: --element-size and --align-mesh divide as asked, with every method; a run on pieces goes on to the same bytes,
+//            and not with another mesh; a size of zero is misuse.
+// ORACLE     closed form: elements by hand: 2.25 m and 1.5 m a patch in elements within 0.75 m make 6 × 6, 6 × 6, 4 times 6 × 4,
+//            twice 6 × 4 and 1; identity for bytes.
+// TOLERANCE  none.
+TEST(RefinedCommand, DividesAsAsked) {
+  proves({"IU.6.5.1"}, Oracle::closed_form, "elements by hand, equal bytes");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("leak.json", read_text(source_root() / "scenes/leak/scene.json"));
+  const std::vector<std::string> small{"--samples", "1", "--tolerance", "1e-3", "--method", "progressive"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), small.begin(), small.end());
+    return solve(scene, more);
+  };
+  const Ended sized = with({"--element-size", "0.75", "--steps", "1"});
+  ASSERT_EQ(sized.code, 0) << sized.err;
+  Json mesh = report_of(folder, "out.json")["mesh"];
+  EXPECT_TRUE(holds(mesh["elements"] == 36 + 36 + 4 * 24 + 2 * 24 + 1 && mesh["element_size"] == 0.75)) << mesh;
+  EXPECT_TRUE(holds(!mesh.contains("aligned")));
+  const Ended zero = with({"--element-size", "0"});
+  EXPECT_EQ(zero.code, 2);
+  EXPECT_TRUE(holds(zero.err.find("--element-size") != std::string::npos)) << zero.err;
+
+  const Ended whole = with({"--align-mesh", "--factors-by", "exact", "--steps", "40"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const std::string bytes = read_text(folder.path() / "out.json");
+  mesh = Json::parse(bytes)["mesh"];
+  EXPECT_TRUE(holds(mesh["aligned"] == true && mesh["elements"] == 69)) << mesh;
+  ASSERT_EQ(with({"--align-mesh", "--factors-by", "exact", "--steps", "15"}).code, 0);
+  EXPECT_TRUE(holds(read_text(folder.path() / "out.json") != bytes));
+  const Ended other = with({"--factors-by", "exact", "--steps", "40", "--resume"});
+  EXPECT_EQ(other.code, 3);
+  EXPECT_TRUE(holds(other.err.find("found by other settings") != std::string::npos)) << other.err;
+  ASSERT_EQ(with({"--align-mesh", "--factors-by", "exact", "--steps", "40", "--resume"}).code, 0);
+  EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == bytes));
+}
+
 }  // namespace
 }  // namespace etendue::validation

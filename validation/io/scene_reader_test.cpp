@@ -71,6 +71,9 @@ TEST(SceneReader, HoldsWhatTheFileSays) {
   EXPECT_EQ(scene.objects[6].name, "table/top");
   EXPECT_EQ(scene.objects[2].subdivision.elements[0], 10);
   EXPECT_EQ(scene.objects[2].subdivision.patches[1], 5);
+  EXPECT_EQ(scene.objects[2].subdivision.element_size, 0);
+  EXPECT_EQ(scene.objects[6].subdivision.element_size, 7.5);
+  EXPECT_TRUE(holds(scene.align_mesh));
   EXPECT_EQ(scene.objects[1].material, 3u);
   const auto& triangles = std::get<Mesh>(scene.objects[8].shape).triangles;
   ASSERT_EQ(triangles.size(), 6u);

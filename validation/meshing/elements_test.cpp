@@ -114,6 +114,60 @@ TEST(Elements, AreCountedBeforeTheyAreMade) {
   EXPECT_TRUE(near(static_cast<double>(mesh->elements.size()), 24 + 36 + 1 + 1 + 4, 0));
 }
 
+// CLAIM      IU.6.5 (meshes by size): no side of an element is longer than the element size; quadrilaterals have the fewest
+//            columns and rows for that, multiples of the patches; triangles n² congruent ones; a pentagon n² in each triangle
+//            with the centroid; areas fill the faces, and the count is known before.
+// ORACLE     closed form: ⌈edge/size⌉ by hand, areas.
+// TOLERANCE  sides: the share that is allowed. Areas: 64 roundings of 16 for each element.
+TEST(Elements, KeepWithinTheirSize) {
+  proves({"IU.6.5"}, Oracle::closed_form, "quotients of edges by hand");
+  const Polygon trapezoid = quadrilateral({0, 0, 0}, {3, 0, 0}, {2, 1, 0}, {0, 1, 0});
+  const Polygon pentagon = polygon({{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {0, 2, 0}});
+  const Triangle triangle{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  struct Case {
+    Shape shape;
+    int patches;
+    double size, area;
+    std::size_t elements, in_patches;
+  };
+  const std::vector<Case> cases{
+      {trapezoid, 1, 0.3, 2.5, 10 * 5, 1},  // 3/0.3 is ten, and √2/0.3 is above four
+      {trapezoid, 1, 0.1, 2.5, 30 * 15, 1},
+      {trapezoid, 4, 0.3, 2.5, 12 * 8, 16},
+      {trapezoid, 1, 7, 2.5, 1, 1},
+      {quadrilateral({0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {0, 1, 0}), 1, 0.3, 2.5, 10 * 5, 1},
+      {quadrilateral({0, 0, 0}, {4.2, 0, 0}, {4.2, 2.1, 0}, {0, 2.1, 0}), 1, 0.7, 8.82, 6 * 3,
+       1},  // in double 4.2/0.7 is above 6
+      {triangle, 1, 0.5, 6, 100, 1},
+      {triangle, 1, 5, 6, 1, 1},
+      {pentagon, 1, 2, 5, 1, 1},
+      {pentagon, 1, 1, 5, 5 * 4, 1},  // its longest edge has 2, its centroid's farthest corner is 1.7 away
+      {Box{{0, 0, 0}, Mat3::Identity(), {0.5, 1, 1.5}}, 1, 0.5, 22, 2 * (4 * 6 + 2 * 6 + 2 * 4), 6},
+  };
+  for (const Case& one : cases) {
+    Scene scene = scene_of({one.shape});
+    scene.objects[0].subdivision = {{7, 7}, {one.patches, one.patches}, one.size};
+    const auto mesh = mesh_elements(scene);
+    ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+    EXPECT_TRUE(near(static_cast<double>(mesh->elements.size()), static_cast<double>(one.elements), 0)) << one.size;
+    EXPECT_TRUE(near(static_cast<double>(count_elements(scene)), static_cast<double>(one.elements), 0));
+    EXPECT_TRUE(near(static_cast<double>(mesh->patches), static_cast<double>(one.in_patches), 0));
+    double longest = 0, area = 0;
+    for (const Element& element : mesh->elements) {
+      const auto& v = element.polygon.vertices();
+      for (std::size_t k = 0; k < v.size(); ++k) longest = std::max(longest, (v[(k + 1) % v.size()] - v[k]).norm());
+      area += element.polygon.area();
+    }
+    EXPECT_TRUE(within(longest, one.size * (1 + 0x1p-39)));
+    EXPECT_TRUE(near(area, one.area, 64 * 16 * 0x1p-53 * static_cast<double>(one.elements)));
+  }
+  Scene box = scene_of({Box{{0, 0, 0}, Mat3::Identity(), {0.5, 1, 1.5}}});
+  box.objects[0].subdivision = {{1, 1}, {3, 1}, 0.5};
+  // Edges of 1, 2 and 3 in 2, 4 and 6, or as first edges in 3, 6 and 6 elements.
+  EXPECT_TRUE(near(static_cast<double>(count_elements(box)), 3 * 4 + 6 * 2 + 6 * 6 + 6 * 4 + 6 * 2 + 3 * 6, 0));
+  EXPECT_TRUE(near(static_cast<double>(mesh_elements(box)->elements.size()), 114, 0));
+}
+
 // CLAIM      What cannot be divided is refused; the message names the object and says what to use.
 // ORACLE     identity: scenes with one such object each.
 // TOLERANCE  none: refusals and their words.
@@ -133,7 +187,14 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
       {Cylinder{{0, 0, 0}, {0, 0, 1}, 1}, {}, "is a cylinder"},
       {Plane{{0, 0, 0}, {0, 0, 1}}, {}, "use a polygon"},
       {dart, {}, "is concave"},
-      {triangle, {{2, 1}, {1, 1}}, "has 3 corners: only quadrilaterals can be subdivided"},
+      {triangle, {{2, 1}, {1, 1}}, "has 3 corners: only quadrilaterals have rows and columns of elements and patches;"},
+      {triangle,
+       {{1, 1}, {2, 1}, 0.1},
+       "has 3 corners: only quadrilaterals have rows and columns of elements and patches;"},
+      {triangle, {{1, 1}, {1, 1}, 1e-4}, "along an edge: element_size 0.0001 is too small"},
+      {square, {{1, 1}, {1, 1}, 1e-4}, "would have more than 1048576 elements on a face, or 4096 along an edge"},
+      {square, {{1, 1}, {1, 1}, 1.0 / 1025}, "element_size 0.00097561 is too small"},
+      {square, {{1, 1}, {1, 1}, 1e-300}, "is too small"},
       {square, {{3, 2}, {2, 1}}, "3 × 2 elements in 2 × 1 patches: patches must divide the elements"},
   };
   for (const Case& one : cases) {

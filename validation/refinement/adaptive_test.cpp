@@ -174,5 +174,44 @@ TEST(AdaptiveRadiosity, AgreesWithTheFullMethodAndSurvivesPauses) {
   EXPECT_TRUE(within(left.maxCoeff(), 1e-9 * full.state.emitted.maxCoeff()));
 }
 
+// CLAIM      IU.6.7.2, IU.6.5.1: in a scene that is cut at contacts, and whose triangle is divided by size, adaptive subdivision
+//            quarters cells and leaves pieces as they are; patches and elements make up their faces; what is a patch of many
+//            elements is one polygon.
+// ORACLE     identity: areas; the pieces before and after.
+// TOLERANCE  areas: 2^-40 of the face.
+TEST(AdaptiveRadiosity, LeavesPiecesAsTheyAre) {
+  proves({"IU.6.7.2", "IU.6.5.1"}, Oracle::identity, "areas, and pieces before and after");
+  const Penumbra penumbra;
+  Scene scene = penumbra.scene(4);
+  scene.objects.push_back({"post", Box{{0.53, 0.21, 0.1}, Mat3::Identity(), {0.1, 0.07, 0.1}}, 1, {}});
+  scene.objects.push_back({"sail", Triangle{{0, 1, 0.5}, {0.3, 1, 0.5}, {0, 1, 0.9}}, 0, {{1, 1}, {1, 1}, 0.13}});
+  scene.align_mesh = true;
+  const ElementMesh before = *mesh_elements(scene);
+  const AdaptiveSolution solution = adapted(scene, {0.05, 2, 100'000});
+  const auto& after = solution.model.elements;
+  std::vector<double> elements(before.faces.size(), 0), patches(before.faces.size(), 0);
+  for (const Element& element : after.elements) elements[element.face] += element.polygon.area();
+  for (const Element& patch : solution.model.patches.elements) patches[patch.face] += patch.polygon.area();
+  for (std::size_t k = 0; k < before.faces.size(); ++k) {
+    const double area = before.faces[k].polygon.area();
+    EXPECT_TRUE(near(elements[k], area, 0x1p-40 * area));
+    EXPECT_TRUE(near(patches[k], area, 0x1p-40 * area));
+  }
+  std::vector<std::vector<Vec3>> kept, left;
+  for (const Element& element : before.elements) {
+    if (element.cell == kNoCell) kept.push_back(element.polygon.vertices());
+  }
+  for (std::size_t k = 0; k < after.elements.size(); ++k) {
+    if (solution.mesh.cells[k].level == kPiece) left.push_back(after.elements[k].polygon.vertices());
+  }
+  EXPECT_TRUE(holds(kept == left));
+  const SplitMesh all = split(solution.mesh, std::vector<bool>(solution.mesh.cells.size(), true));
+  const auto is_piece = [](const MeshCell& cell) { return cell.level == kPiece; };
+  EXPECT_EQ(std::count_if(all.mesh.cells.begin(), all.mesh.cells.end(), is_piece),
+            static_cast<std::ptrdiff_t>(kept.size()));
+  EXPECT_GT(kept.size(), 16u + 8u) << "of the sail and of the floor";
+  EXPECT_GT(floor_elements(solution), 60u);
+}
+
 }  // namespace
 }  // namespace etendue::validation

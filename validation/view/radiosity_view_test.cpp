@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 
+#include "etendue/meshing/shared_vertices.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
 
@@ -147,6 +148,42 @@ TEST(RadiosityView, LeavesNoGapInAClosedRoom) {
     for (const auto& pixel : picture->pixels) worst = std::max(worst, std::abs(pixel(0) - 1));
   }
   EXPECT_TRUE(within(worst, 8 * 0x1p-53));
+}
+
+// CLAIM      IU.6.5: where three small elements end on the side of two large ones, the picture has no step once their corners are
+//            corners of the large ones too; as they are, it has one.
+// ORACLE     closed form: across the side the picture changes by no more than the steepest gradient of the interpolation times
+//            the width of a pixel; the step of the plain mesh is known by hand.
+// TOLERANCE  twice that gradient times the distance of the two pixels, and what snapping moves the side by.
+TEST(RadiosityView, HasNoStepWhereSmallElementsEndOnLargeOnes) {
+  proves({"IU.6.5"}, Oracle::closed_form, "gradient times the width of a pixel");
+  Scene scene = scene_of({quadrilateral({0, 0, 0}, {3, 0, 0}, {3, 6, 0}, {0, 6, 0}),
+                          quadrilateral({3, 0, 0}, {6, 0, 0}, {6, 6, 0}, {3, 6, 0})});
+  scene.objects[0].subdivision = {{1, 2}, {1, 1}};
+  scene.objects[1].subdivision = {{2, 3}, {1, 1}};
+  const ElementMesh plain = *mesh_elements(scene), shared = with_shared_vertices(plain);
+  // Left: 10, 40 upwards; right: rows of 0, 60, 20.
+  std::vector<Rgb> radiosity;
+  for (const double value : {10, 40, 0, 0, 60, 60, 20, 20}) radiosity.push_back(Rgb::Constant(value));
+  Camera camera;  // 600 rows over the side x = 3: a column of hundredths of a unit on each side of it
+  camera.eye = Vec3(3, 3, 3);
+  camera.gaze = Vec3(0, 0, -1);
+  camera.up = Vec3(0, 1, 0);
+  camera.columns = 2;
+  camera.rows = 600;
+  camera.horizontal_half_angle = std::atan(1.0 / 300);
+  const auto step = [&](const ElementMesh& mesh) {
+    const auto picture = *view_radiosities(camera, mesh, vertex_radiosities(mesh, radiosity), Rgb::Zero(), 1);
+    double largest = 0;
+    for (int row = 0; row < 600; ++row) {
+      largest = std::max(largest, std::abs(picture.at(0, row)(0) - picture.at(1, row)(0)));
+    }
+    return largest;
+  };
+  // Values lie in [0, 65], elements are 1.5 wide at least, a fan's triangles half as high: no gradient above 65 / 0.75.
+  EXPECT_TRUE(within(step(shared), 2 * 65 / 0.75 * 0.01));
+  // The large elements alone: their side runs straight from one end to the other, past the small ones' corners.
+  EXPECT_TRUE(holds(step(plain) > 10));
 }
 
 // CLAIM      Pictures that cannot be drawn are refused, as are cameras that see nothing definite.

@@ -8,6 +8,7 @@
 #include "etendue/io/material_reader.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/shape_reader.hpp"
+#include "etendue/meshing/division.hpp"
 #include "etendue/scene/camera_frame.hpp"
 
 namespace etendue {
@@ -19,10 +20,6 @@ constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 /// 2^28 pixels, what an image file may have (io/image_file.cpp); 65536 on one side.
 constexpr long kMostPixels = 1L << 28;
 constexpr long kLongestSide = 65536;
-
-/// Elements along one edge of a shape, and in all of it: beyond, form-factor matrices fit into no memory.
-constexpr long kMostElementsAlong = 4096;
-constexpr long kMostElements = 1L << 20;
 
 class Assembly {
  public:
@@ -64,7 +61,7 @@ class Assembly {
     if (is_main) {
       read_view(top, file);
     } else {
-      for (const char* key : {"camera", "background", "ambient"}) {
+      for (const char* key : {"camera", "background", "ambient", "align_mesh"}) {
         if (const auto node = top.member(key))
           node->complain("found this in an included file, expected it in the main file only");
       }
@@ -73,6 +70,7 @@ class Assembly {
     const double main_unit = files_.files.back().metres_per_unit;
     const Placement placement =
         file.metres_per_unit == main_unit ? Placement{} : uniform_scale(file.metres_per_unit / main_unit);
+    file_scale_ = placement.scale;
     if (const auto lights = top.member("lights")) read_lights(*lights, placement);
     if (const auto objects = top.member("objects")) read_objects(*objects, placement, "");
     // Included files may hold objects, and errors may be why none was read from them.
@@ -87,6 +85,7 @@ class Assembly {
     if (const auto node = top.member("background"))
       scene_.background = node->colour(kNonNegative).value_or(Rgb::Zero());
     if (const auto node = top.member("ambient")) scene_.ambient = node->colour(kNonNegative).value_or(Rgb::Zero());
+    if (const auto node = top.member("align_mesh")) scene_.align_mesh = node->truth().value_or(false);
     if (const auto node = top.member("camera")) {
       read_camera(*node);
     } else {
@@ -197,9 +196,15 @@ class Assembly {
     return std::pair(counts[0], counts[1]);
   }
 
-  static Subdivision read_subdivision(const SceneNode& node) {
+  Subdivision read_subdivision(const SceneNode& node) const {
     Subdivision subdivision;
     const auto elements_node = node.member("elements"), patches_node = node.member("patches");
+    const auto size_node = node.member("element_size");
+    const auto size = size_node ? size_node->number(kPositive) : std::nullopt;
+    if (size_node && elements_node) {
+      size_node->complain("found \"element_size\" beside \"elements\", expected one of them");
+    }
+    if (size) subdivision.element_size = file_scale_ * *size;
     const auto read = [](const std::optional<SceneNode>& counts) {
       return counts ? read_two(*counts, "integers", kMostElementsAlong) : std::pair(1, 1);
     };
@@ -208,7 +213,8 @@ class Assembly {
     if (static_cast<long>(elements->first) * elements->second > kMostElements) {
       elements_node->complain("found more than " + std::to_string(kMostElements) + " elements, expected fewer");
     }
-    if (elements->first % patches->first != 0 || elements->second % patches->second != 0) {
+    const bool divide = elements->first % patches->first == 0 && elements->second % patches->second == 0;
+    if (!size_node && !divide) {
       patches_node->complain("found [" + std::to_string(patches->first) + ", " + std::to_string(patches->second) +
                              "], expected divisors of the elements [" + std::to_string(elements->first) + ", " +
                              std::to_string(elements->second) + "]");
@@ -223,6 +229,7 @@ class Assembly {
   const LoadedFiles& files_;
   SceneErrors& errors_;
   Scene scene_;
+  double file_scale_ = 1;  ///< from lengths of the file that is read to those of the scene
   std::map<std::string, std::size_t> material_index_;
 };
 

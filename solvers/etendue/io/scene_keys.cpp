@@ -13,7 +13,7 @@ using Keys = std::vector<std::string>;
 
 /// A shape: what every shape has, and its own keys.
 KeySet shape(const char* type, const Keys& mandatory, const Keys& optional = {}) {
-  KeySet set{type, {"type", "material"}, {"comment", "name", "transform", "elements", "patches"}};
+  KeySet set{type, {"type", "material"}, {"comment", "name", "transform", "elements", "element_size", "patches"}};
   set.mandatory.insert(set.mandatory.end(), mandatory.begin(), mandatory.end());
   set.optional.insert(set.optional.end(), optional.begin(), optional.end());
   return set;
@@ -31,7 +31,8 @@ const std::vector<KeySet>& scene_key_sets() {
   static const std::vector<KeySet> sets{
       {"scene",
        {"format", "version", "unit"},
-       {"$schema", "comment", "name", "include", "camera", "background", "ambient", "materials", "lights", "objects"}},
+       {"$schema", "comment", "name", "include", "camera", "background", "ambient", "align_mesh", "materials", "lights",
+        "objects"}},
       {"camera", {"eye", "up", "horizontal_fov_deg", "resolution"}, {"comment", "look_at", "gaze"}},
       {"material", {}, {"comment", "k_d", "k_a", "k_s", "n", "k_r", "k_t", "eta", "rho", "emission"}},
       {"point_light", {"type", "position", "intensity"}, {"comment"}},

@@ -164,6 +164,12 @@ std::optional<std::string> SceneNode::text() const {
   return std::nullopt;
 }
 
+std::optional<bool> SceneNode::truth() const {
+  if (json_->kind == JsonValue::Kind::boolean) return json_->boolean;
+  expected("true or false");
+  return std::nullopt;
+}
+
 std::optional<std::string> SceneNode::choice(const std::vector<std::string>& words) const {
   const bool is_text = json_->kind == JsonValue::Kind::string;
   if (is_text && std::find(words.begin(), words.end(), json_->text) != words.end()) return json_->text;

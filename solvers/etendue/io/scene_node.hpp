@@ -78,6 +78,7 @@ class SceneNode {
   [[nodiscard]] std::optional<double> number(const Interval& interval) const;
   [[nodiscard]] std::optional<long> integer(long low, long high) const;
   [[nodiscard]] std::optional<std::string> text() const;
+  [[nodiscard]] std::optional<bool> truth() const;  ///< true or false
   /// One of these words; the nearest is suggested.
   [[nodiscard]] std::optional<std::string> choice(const std::vector<std::string>& words) const;
   /// What "type" says, of an object that should be one of these kinds: a misspelt one is reported and guessed, so that

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "etendue/meshing/contacts.hpp"
+#include "etendue/meshing/division.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -39,50 +41,92 @@ struct Builder {
 
   void undivided(const Polygon& face) {
     mesh.faces.push_back({face, index, object.material});
-    mesh.elements.push_back({face, mesh.faces.size() - 1, mesh.patches++});
+    mesh.elements.push_back({face, mesh.faces.size() - 1, mesh.patches++, 0});
   }
 
-  void divided(const Polygon& face) {
+  void divided(const Polygon& face, const Subdivision& division) {
     const auto& v = face.vertices();
     const Quadrilateral corners{v[0], v[1], v[2], v[3]};
-    const auto [columns, rows] = object.subdivision.elements;
-    const auto [patch_columns, patch_rows] = object.subdivision.patches;
-    mesh.faces.push_back({face, index, object.material});
+    const auto [columns, rows] = division.elements;
+    const auto [patch_columns, patch_rows] = division.patches;
+    const auto at = [&](int a, int b) { return corner(corners, division, a, b); };
+    std::size_t place = 0;
     for (int b = 0; b < rows; ++b) {
       for (int a = 0; a < columns; ++a) {
-        const auto cell = polygon({corner(corners, a, b), corner(corners, a + 1, b), corner(corners, a + 1, b + 1),
-                                   corner(corners, a, b + 1)});
+        const auto cell = polygon({at(a, b), at(a + 1, b), at(a + 1, b + 1), at(a, b + 1)});
         if (!cell) return;
         const int patch = (b * patch_rows / rows) * patch_columns + a * patch_columns / columns;
-        mesh.elements.push_back({*cell, mesh.faces.size() - 1, mesh.patches + static_cast<std::size_t>(patch)});
+        mesh.elements.push_back({*cell, mesh.faces.size(), mesh.patches + static_cast<std::size_t>(patch), place++});
       }
     }
+    mesh.faces.push_back({face, index, object.material});
     mesh.patches += static_cast<std::size_t>(patch_columns) * static_cast<std::size_t>(patch_rows);
   }
 
+  /// n² triangles; those of neighbours with the same n share their corners to the last bit.
+  void triangles(const Vec3& a, const Vec3& b, const Vec3& c, int n) {
+    const auto at = [&](int i, int j) -> Vec3 {
+      const double x = i, y = j;
+      return ((n - x - y) * a + x * b + y * c) / n;
+    };
+    const auto add = [&](const Vec3& x, const Vec3& y, const Vec3& z) {
+      if (const auto made = polygon({x, y, z})) mesh.elements.push_back({*made, mesh.faces.size(), mesh.patches});
+    };
+    for (int j = 0; j < n && !error; ++j) {
+      for (int i = 0; i < n - j; ++i) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j < n - 1) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+
+  /// A face that is no quadrilateral, by size: one patch.
+  void divided_into_triangles(const Polygon& face, int n) {
+    const auto& v = face.vertices();
+    if (v.size() == 3) {
+      triangles(v[0], v[1], v[2], n);
+    } else {
+      for (std::size_t k = 0; k < v.size(); ++k) triangles(face.centroid(), v[k], v[(k + 1) % v.size()], n);
+    }
+    mesh.faces.push_back({face, index, object.material});
+    ++mesh.patches;
+  }
+
   void face(const Polygon& polygon) {
-    const auto [columns, rows] = object.subdivision.elements;
-    const auto [patch_columns, patch_rows] = object.subdivision.patches;
+    const bool by_size = object.subdivision.element_size > 0;
+    const Subdivision division = division_of(object.subdivision, polygon);
+    const auto [columns, rows] = division.elements;
+    const auto [patch_columns, patch_rows] = division.patches;
     if (!is_convex(polygon)) return refuse("is concave: divide it into convex polygons");
+    const bool too_many = std::max(columns, rows) > kMostElementsAlong ||
+                          count_of(division, polygon.vertices().size()) > static_cast<double>(kMostElements);
+    if (by_size && too_many) {
+      return refuse("would have more than " + std::to_string(kMostElements) + " elements on a face, or " +
+                    std::to_string(kMostElementsAlong) + " along an edge: element_size " +
+                    rounded(object.subdivision.element_size, 6) + " is too small");
+    }
+    const bool whole = columns == 1 && rows == 1;
+    const bool one_patch = patch_columns == 1 && patch_rows == 1;
+    if (polygon.vertices().size() != 4 && !(one_patch && by_size) && !whole) {
+      return refuse("has " + std::to_string(polygon.vertices().size()) +
+                    " corners: only quadrilaterals have rows and columns of elements and patches; give an "
+                    "\"element_size\" alone, or four corners");
+    }
     if (columns < 1 || rows < 1 || patch_columns < 1 || patch_rows < 1 || columns % patch_columns != 0 ||
         rows % patch_rows != 0) {
       return refuse("has " + std::to_string(columns) + " × " + std::to_string(rows) + " elements in " +
                     std::to_string(patch_columns) + " × " + std::to_string(patch_rows) +
                     " patches: patches must divide the elements");
     }
-    if (columns == 1 && rows == 1) return undivided(polygon);
-    if (polygon.vertices().size() != 4) {
-      return refuse(
-          "has " + std::to_string(polygon.vertices().size()) +
-          " corners: only quadrilaterals can be subdivided; leave the subdivision out or give it four corners");
-    }
-    divided(polygon);
+    if (whole) return undivided(polygon);
+    if (polygon.vertices().size() == 4) return divided(polygon, division);
+    divided_into_triangles(polygon, columns);
   }
 
   // A corner of the grid: the same expression for all cells that meet there, so that they share it to the last bit.
-  Vec3 corner(const Quadrilateral& v, int a, int b) const {
-    const double s = static_cast<double>(a) / object.subdivision.elements[0];
-    const double t = static_cast<double>(b) / object.subdivision.elements[1];
+  static Vec3 corner(const Quadrilateral& v, const Subdivision& division, int a, int b) {
+    const double s = static_cast<double>(a) / division.elements[0];
+    const double t = static_cast<double>(b) / division.elements[1];
     return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
   }
 
@@ -163,7 +207,7 @@ Result<ElementMesh> mesh_elements(const Scene& scene, CurvedObjects curved) {
   if (!errors.empty()) return Error{ErrorCode::invalid_input, listed(errors)};
   if (mesh.elements.empty() && curved == CurvedObjects::refused)
     return Error{ErrorCode::invalid_input, "the scene has no surface"};
-  return mesh;
+  return scene.align_mesh ? cut_at_contacts(mesh) : mesh;
 }
 
 }  // namespace etendue

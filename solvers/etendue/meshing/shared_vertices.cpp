@@ -76,6 +76,13 @@ class Sharer {
     for (const Element& element : mesh.elements) {
       for (const Vec3& place : element.polygon.vertices()) vertices_.add(vertex(place, element));
     }
+    // Where a contact ends within a side, that side is one of two elements on both sides of it in part only.
+    for (const Contact& contact : mesh.contacts) {
+      const Face& face = mesh.faces[contact.face];
+      for (const Vec3& end : {contact.segment.from, contact.segment.to}) {
+        vertices_.add({end, face.polygon.normal(), face.material});
+      }
+    }
   }
 
   Polygon shared(const Element& element) const {
@@ -128,9 +135,9 @@ class Sharer {
 ElementMesh with_shared_vertices(const ElementMesh& mesh) {
   if (mesh.elements.empty()) return mesh;
   const Sharer sharer(mesh);
-  ElementMesh shared{mesh.faces, {}, mesh.patches};
+  ElementMesh shared{mesh.faces, {}, mesh.patches, mesh.contacts};
   for (const Element& element : mesh.elements) {
-    shared.elements.push_back({sharer.shared(element), element.face, element.patch});
+    shared.elements.push_back({sharer.shared(element), element.face, element.patch, element.cell});
   }
   return shared;
 }

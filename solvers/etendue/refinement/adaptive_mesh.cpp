@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "etendue/meshing/division.hpp"
+
 namespace etendue {
 
 namespace {
@@ -37,6 +39,7 @@ class Directory {
     const AdaptiveMesh::Grid& grid = mesh_.grids[cell.face];
     std::vector<std::size_t> found;
     const std::int64_t a = cell.a + dx, b = cell.b + dy;
+    if (cell.level == kPiece) return found;
     if (a < 0 || b < 0 || a >= std::int64_t{grid.columns} << cell.level || b >= std::int64_t{grid.rows} << cell.level) {
       return found;
     }
@@ -68,7 +71,7 @@ class Directory {
 constexpr std::array<std::pair<int, int>, 4> kSides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 bool can_split(const AdaptiveMesh& mesh, const MeshCell& cell) {
-  return mesh.grids[cell.face].divisible && cell.level < kDeepestCell;
+  return mesh.grids[cell.face].divisible && cell.level != kPiece && cell.level < kDeepestCell;
 }
 
 /// Also names the larger neighbours of what is to be split, until none is left.
@@ -103,15 +106,20 @@ Vec3 corner(const std::vector<Vec3>& v, const AdaptiveMesh::Grid& grid, int leve
 }  // namespace
 
 AdaptiveMesh adaptive_mesh(const Scene& scene, const ElementMesh& mesh) {
-  AdaptiveMesh adaptive{mesh.faces, {}, {}, mesh.patches};
+  AdaptiveMesh adaptive{mesh.faces, {}, {}, mesh.patches, {}, mesh.contacts};
   for (const Face& face : mesh.faces) {
-    const auto [columns, rows] = scene.objects[face.object].subdivision.elements;
+    const auto [columns, rows] = division_of(scene.objects[face.object].subdivision, face.polygon).elements;
     adaptive.grids.push_back({columns, rows, face.polygon.vertices().size() == 4});
   }
-  std::vector<std::int64_t> next(mesh.faces.size(), 0);
   for (const Element& element : mesh.elements) {
+    if (element.cell == kNoCell) {
+      const auto piece = static_cast<std::int64_t>(adaptive.pieces.size());
+      adaptive.pieces.push_back(element.polygon);
+      adaptive.cells.push_back({element.face, element.patch, kPiece, piece, 0});
+      continue;
+    }
     const std::int64_t columns = adaptive.grids[element.face].columns;
-    const std::int64_t at = next[element.face]++;
+    const auto at = static_cast<std::int64_t>(element.cell);
     adaptive.cells.push_back({element.face, element.patch, 0, at % columns, at / columns});
   }
   return adaptive;
@@ -131,7 +139,12 @@ Result<ElementMesh> elements_of(const AdaptiveMesh& mesh) {
   ElementMesh elements;
   elements.faces = mesh.faces;
   elements.patches = mesh.patches;
+  elements.contacts = mesh.contacts;
   for (const MeshCell& cell : mesh.cells) {
+    if (cell.level == kPiece) {
+      elements.elements.push_back({mesh.pieces[static_cast<std::size_t>(cell.a)], cell.face, cell.patch});
+      continue;
+    }
     const Polygon& face = mesh.faces[cell.face].polygon;
     const AdaptiveMesh::Grid& grid = mesh.grids[cell.face];
     if (!grid.divisible || (grid.columns == 1 && grid.rows == 1 && cell.level == 0)) {
@@ -150,7 +163,7 @@ Result<ElementMesh> elements_of(const AdaptiveMesh& mesh) {
 SplitMesh split(const AdaptiveMesh& mesh, std::vector<bool> which) {
   require(which.size() == mesh.cells.size(), "split: yes or no for each cell");
   keep_balanced(mesh, which);
-  SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches}, {}};
+  SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches, mesh.pieces, mesh.contacts}, {}};
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     const MeshCell& cell = mesh.cells[k];
     for (std::int64_t part = 0; part < (which[k] ? 4 : 1); ++part) {

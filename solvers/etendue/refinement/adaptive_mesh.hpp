@@ -9,11 +9,14 @@
 
 namespace etendue {
 
+/// Level of an element that is no cell of a grid: it stays as it is, and a is its index in AdaptiveMesh::pieces.
+inline constexpr int kPiece = -1;
+
 /// An element of a subdivided face: the quadrilateral s in [a, a+1]/(columns·2^level), t in [b, b+1]/(rows·2^level).
 struct MeshCell {
   std::size_t face = 0;   ///< index into ElementMesh::faces
   std::size_t patch = 0;  ///< it is a part of this one
-  int level = 0;          ///< how often it was halved
+  int level = 0;          ///< how often it was halved, or kPiece
   std::int64_t a = 0, b = 0;
 };
 inline bool operator==(const MeshCell& x, const MeshCell& y) {
@@ -25,7 +28,7 @@ inline constexpr int kDeepestCell = 16;
 
 /// Faces divided into cells of different sizes: a quadtree on each cell of the objects' subdivision.  @eq IU.6.7.2
 struct AdaptiveMesh {
-  /// How a face was divided to begin with. Faces that are no quadrilaterals are one cell for ever.
+  /// How a face was divided to begin with. Undivided faces that are no quadrilaterals are one cell for ever.
   struct Grid {
     int columns = 1, rows = 1;
     bool divisible = false;
@@ -34,6 +37,8 @@ struct AdaptiveMesh {
   std::vector<Grid> grids;      ///< one a face
   std::vector<MeshCell> cells;  ///< those of a patch follow one another
   std::size_t patches = 0;
+  std::vector<Polygon> pieces = {};    ///< elements that were cut, or that divide what is no quadrilateral
+  std::vector<Contact> contacts = {};  ///< as of the ElementMesh
 };
 
 /// The cells of mesh_elements(), in its order.

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "etendue/meshing/division.hpp"
+
 namespace etendue {
 
 namespace {
@@ -41,15 +43,18 @@ Result<PatchModel> patch_model(const Scene& scene, ElementMesh elements) {
   model.patches.faces = elements.faces;
   model.patches.patches = elements.patches;
   const auto parts = parts_of(elements);
+  std::vector<std::size_t> sizes(elements.faces.size(), 0);  // elements of each face
+  for (const Element& element : elements.elements) ++sizes[element.face];
   for (std::size_t patch = 0; patch < parts.size(); ++patch) {
     const Element& first = elements.elements[parts[patch].front()];
     const Face& face = elements.faces[first.face];
-    const Subdivision& division = scene.objects[face.object].subdivision;
     model.materials.push_back(face.material);
-    if (parts[patch].size() == 1) {
-      model.patches.elements.push_back({first.polygon, first.face, patch});
+    if (parts[patch].size() == 1 || parts[patch].size() == sizes[first.face]) {
+      const Polygon& polygon = parts[patch].size() == 1 ? first.polygon : face.polygon;
+      model.patches.elements.push_back({polygon, first.face, patch});
       continue;
     }
+    const Subdivision division = division_of(scene.objects[face.object].subdivision, face.polygon);
     auto whole = outline(elements, parts[patch], static_cast<std::size_t>(division.elements[0] / division.patches[0]));
     if (!whole)
       return Error{whole.error().code,

@@ -62,6 +62,7 @@ using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box
 struct Subdivision {
   int elements[2] = {1, 1};
   int patches[2] = {1, 1};
+  double element_size = 0;  ///< where above 0: no side of an element is longer [length], whatever `elements` says
 };
 
 /// A shape in world coordinates (transforms are applied by the reader) and what it is made of.
@@ -82,6 +83,7 @@ struct Scene {
   Rgb ambient = Rgb::Zero();     ///< I_a
   Rgb background = Rgb::Zero();  ///< what a ray that leaves the scene sees
   std::vector<Object> objects;
+  bool align_mesh = false;  ///< elements are cut where other objects stand on their faces
 };
 
 }  // namespace etendue

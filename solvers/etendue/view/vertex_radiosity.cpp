@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace etendue {
 
@@ -86,6 +87,85 @@ Topology weld(const ElementMesh& mesh, const std::vector<bool>& left_out) {
   return topology;
 }
 
+/// Segments of the mesh's contacts, by face.
+std::vector<std::vector<Segment>> creases_of(const ElementMesh& mesh) {
+  std::vector<std::vector<Segment>> creases(mesh.faces.size());
+  for (const Contact& contact : mesh.contacts) creases[contact.face].push_back(contact.segment);
+  return creases;
+}
+
+bool lies_on(const Vec3& point, const Segment& segment, double touching) {
+  const Vec3 along = segment.to - segment.from;
+  const double t = std::clamp(along.dot(point - segment.from) / along.squaredNorm(), 0.0, 1.0);
+  return (point - segment.from - t * along).norm() <= touching;
+}
+
+/// Splits the vertices on contacts: elements that are joined there by no side but those along a contact have one each.
+class Separation {
+ public:
+  Separation(const ElementMesh& mesh, Topology& topology)
+      : mesh_(mesh), topology_(topology), creases_(creases_of(mesh)), touching_(kTouching * diagonal(mesh)) {}
+
+  void apply() {
+    for (std::size_t k = topology_.vertices.size(); k-- > 0;) separate(k);
+  }
+
+ private:
+  using Sides = std::map<std::size_t, std::vector<std::size_t>>;  // neighbour along a side → elements with that side
+
+  void separate(std::size_t index) {
+    const Vec3 position = topology_.vertices[index].position;
+    const auto here = [&](const Segment& segment) { return lies_on(position, segment, touching_); };
+    std::vector<Segment> passing;
+    const std::vector<std::size_t> elements = topology_.vertices[index].elements;
+    for (const std::size_t element : elements) {
+      const auto& creases = creases_[mesh_.elements[element].face];
+      std::copy_if(creases.begin(), creases.end(), std::back_inserter(passing), here);
+    }
+    if (passing.empty()) return;
+    Sides sides;
+    for (const std::size_t element : elements) {
+      const auto& ring = topology_.corners[element];
+      const auto at = static_cast<std::size_t>(std::find(ring.begin(), ring.end(), index) - ring.begin());
+      sides[ring[(at + 1) % ring.size()]].push_back(element);
+      sides[ring[(at + ring.size() - 1) % ring.size()]].push_back(element);
+    }
+    std::map<std::size_t, std::size_t> group;  // element → the first element it is joined to
+    for (const std::size_t element : elements) group[element] = element;
+    for (const auto& [other, both] : sides) {
+      const Vec3& end = topology_.vertices[other].position;
+      const auto along = [&](const Segment& segment) { return lies_on(end, segment, touching_); };
+      if (both.size() < 2 || std::any_of(passing.begin(), passing.end(), along)) continue;
+      const std::size_t from = group[both[1]], to = group[both[0]];
+      for (auto& [element, first] : group) first = first == from ? to : first;
+    }
+    give_own(index, group);
+  }
+
+  /// All groups but that of the first element get a vertex of their own.
+  void give_own(std::size_t index, const std::map<std::size_t, std::size_t>& group) {
+    const std::vector<std::size_t> elements = topology_.vertices[index].elements;
+    std::map<std::size_t, std::size_t> vertex_of{{group.at(elements.front()), index}};
+    topology_.vertices[index].elements.clear();
+    for (const std::size_t element : elements) {
+      const auto [found, added] = vertex_of.emplace(group.at(element), topology_.vertices.size());
+      if (added) {
+        Vertex copy = topology_.vertices[index];
+        copy.elements.clear();
+        topology_.vertices.push_back(std::move(copy));
+      }
+      topology_.vertices[found->second].elements.push_back(element);
+      auto& ring = topology_.corners[element];
+      std::replace(ring.begin(), ring.end(), index, found->second);
+    }
+  }
+
+  const ElementMesh& mesh_;
+  Topology& topology_;
+  std::vector<std::vector<Segment>> creases_;
+  double touching_;
+};
+
 bool is_inner(const Topology& topology, std::size_t index) {
   std::map<std::size_t, int> edges;  // neighbour along an edge → elements that have this edge
   for (const std::size_t element : topology.vertices[index].elements) {
@@ -126,6 +206,63 @@ std::optional<Rgb> extrapolated(const Topology& topology, const Vertex& vertex, 
   return Rgb(sum / count);
 }
 
+/// The gradient over a plane of the affine function that is nearest to the radiosities of some elements at their centroids
+/// (least squares, weighted by area); the smallest one where several are: across a row of elements there is none.
+struct Gradient {
+  Vec3 along[2];  // unit vectors of the plane
+  Rgb slope[2];
+
+  Rgb times(const Vec3& way) const { return along[0].dot(way) * slope[0] + along[1].dot(way) * slope[1]; }
+};
+
+Gradient gradient_over(const ElementMesh& mesh, const std::set<std::size_t>& elements,
+                       const std::vector<Rgb>& radiosity, const Vec3& normal) {
+  Vec3 middle = Vec3::Zero();
+  Rgb mean_radiosity = Rgb::Zero();
+  double area = 0;
+  for (const std::size_t k : elements) {
+    const Polygon& polygon = mesh.elements[k].polygon;
+    middle += polygon.area() * polygon.centroid();
+    mean_radiosity += polygon.area() * radiosity[k];
+    area += polygon.area();
+  }
+  middle /= area;
+  mean_radiosity /= area;
+  const Vec3 u = normal.unitOrthogonal(), w = normal.cross(u);
+  double uu = 0, uw = 0, ww = 0;
+  Rgb u_slope = Rgb::Zero(), w_slope = Rgb::Zero();
+  for (const std::size_t k : elements) {
+    const Polygon& polygon = mesh.elements[k].polygon;
+    const double x = u.dot(polygon.centroid() - middle), y = w.dot(polygon.centroid() - middle);
+    uu += polygon.area() * x * x;
+    uw += polygon.area() * x * y;
+    ww += polygon.area() * y * y;
+    u_slope += polygon.area() * x * (radiosity[k] - mean_radiosity);
+    w_slope += polygon.area() * y * (radiosity[k] - mean_radiosity);
+  }
+  // The spread of the centroids along its two axes, and the longer axis.
+  const double half = std::hypot((uu - ww) / 2, uw), longer = (uu + ww) / 2 + half, shorter = (uu + ww) / 2 - half;
+  const double angle = std::atan2(uw, (uu - ww) / 2) / 2, c = std::cos(angle), s = std::sin(angle);
+  Gradient gradient{{c * u + s * w, c * w - s * u}, {Rgb::Zero(), Rgb::Zero()}};
+  if (longer > kInARow * area * area) gradient.slope[0] = (c * u_slope + s * w_slope) / longer;
+  if (shorter > kInARow * longer) gradient.slope[1] = (c * w_slope - s * u_slope) / shorter;
+  return gradient;
+}
+
+/// Where there is no inner vertex: the mean, and the gradient around it.
+Rgb fitted(const ElementMesh& mesh, const Topology& topology, const Vertex& vertex, const std::vector<Rgb>& radiosity) {
+  std::set<std::size_t> around;
+  Vec3 middle = Vec3::Zero();
+  for (const std::size_t element : vertex.elements) {
+    middle += mesh.elements[element].polygon.centroid() / static_cast<double>(vertex.elements.size());
+    for (const std::size_t corner : topology.corners[element]) {
+      around.insert(topology.vertices[corner].elements.begin(), topology.vertices[corner].elements.end());
+    }
+  }
+  const Gradient gradient = gradient_over(mesh, around, radiosity, vertex.normal);
+  return vertex.value + gradient.times(vertex.position - middle);
+}
+
 }  // namespace
 
 VertexRadiosities vertex_radiosities(const ElementMesh& mesh, const std::vector<Rgb>& radiosity,
@@ -134,6 +271,7 @@ VertexRadiosities vertex_radiosities(const ElementMesh& mesh, const std::vector<
   std::vector<bool> left_out(mesh.elements.size(), false);
   for (const std::size_t element : covered) left_out.at(element) = true;
   Topology topology = weld(mesh, left_out);
+  if (!mesh.contacts.empty()) Separation(mesh, topology).apply();
 
   for (std::size_t k = 0; k < topology.vertices.size(); ++k) {
     Vertex& vertex = topology.vertices[k];
@@ -144,10 +282,11 @@ VertexRadiosities vertex_radiosities(const ElementMesh& mesh, const std::vector<
   result.vertices = topology.vertices.size();
   for (Vertex& vertex : topology.vertices) {
     if (vertex.inner) continue;
-    const auto value = extrapolated(topology, vertex, radiosity);
-    if (!value) ++result.without_interior;
-    if (value) vertex.value = value->max(0.0);
-    if (value && (*value < 0).any()) ++result.clamped;
+    const auto printed = extrapolated(topology, vertex, radiosity);
+    if (!printed) ++result.without_interior;
+    const Rgb value = printed ? *printed : fitted(mesh, topology, vertex, radiosity);
+    if ((value < 0).any()) ++result.clamped;
+    vertex.value = value.max(0.0);
   }
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
     std::vector<Rgb> values(mesh.elements[k].polygon.vertices().size(), radiosity[k]);
