@@ -15,6 +15,31 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Takes in where the lines through the corner and the points of the edge near its end `a` come down to the source.
+void extend(CriticalLine& line, const Vec3& corner, const Vec3& a, const Vec3& b) {
+  const double rise = a.z() - corner.z(), other = b.z() - corner.z();
+  if (rise != 0) {
+    const Vec2 down = corner.head<2>() - corner.z() / rise * (a - corner).head<2>();
+    line.begin = std::min(line.begin, line.along(down));
+    line.end = std::max(line.end, line.along(down));
+  }
+  if (rise == 0 || rise * other > 0) return;
+  // A point of the edge is level with the corner: seen along it the source is infinitely far.
+  const Vec3 level = other == rise ? a : Vec3(a + rise / (rise - other) * (b - a));
+  const double drift = line.along((level - corner).head<2>());
+  const bool to_end = (drift > 0) != (rise > 0);
+  if (drift == 0) return;
+  (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
+}
+
+CriticalLine stretch(const Vec3& corner, const Vec3& a, const Vec3& b, const Vec3& normal) {
+  const double size = normal.head<2>().norm();
+  CriticalLine line{normal.head<2>() / size, normal.dot(corner) / size, kInfinity, -kInfinity};
+  extend(line, corner, a, b);
+  extend(line, corner, b, a);
+  return line;
+}
+
 class Collector {
  public:
   Collector(std::span<const Vec3> receiver, const SightZone& zone) : receiver_(receiver), zone_(zone) {
@@ -57,29 +82,9 @@ class Collector {
     const double level = normal.dot(corner.at);
     // Coincident points, and planes that never meet the source's, drop out, too.
     if (!meets_zone(normal.head<2>(), level)) return;
-    const double size = normal.head<2>().norm();
-    CriticalLine line{normal.head<2>() / size, level / size, kInfinity, -kInfinity};
-    extend(line, corner.at, a, b);
-    extend(line, corner.at, b, a);
+    CriticalLine line = stretch(corner.at, a, b, normal);
     if (past && receiver_is_convex_) clip_past(line, corner, normal);
     keep(line);
-  }
-
-  /// Takes in where the lines through the corner and the points of the edge near its end `a` come down to the source.
-  static void extend(CriticalLine& line, const Vec3& corner, const Vec3& a, const Vec3& b) {
-    const double rise = a.z() - corner.z(), other = b.z() - corner.z();
-    if (rise != 0) {
-      const Vec2 down = corner.head<2>() - corner.z() / rise * (a - corner).head<2>();
-      line.begin = std::min(line.begin, line.along(down));
-      line.end = std::max(line.end, line.along(down));
-    }
-    if (rise == 0 || rise * other > 0) return;
-    // A point of the edge is level with the corner: seen along it the source is infinitely far.
-    const Vec3 level = other == rise ? a : Vec3(a + rise / (rise - other) * (b - a));
-    const double drift = line.along((level - corner).head<2>());
-    const bool to_end = (drift > 0) != (rise > 0);
-    if (drift == 0) return;
-    (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
   }
 
   /// Keeps the stretch from which the corner is seen against the receiver. Where an edge of the corner lies in the plane of
@@ -149,6 +154,12 @@ class Collector {
 };
 
 }  // namespace
+
+std::optional<CriticalLine> meeting_line(const Vec3& corner, const Vec3& a, const Vec3& b) {
+  const Vec3 normal = (a - corner).cross(b - corner);
+  if (!(normal.head<2>().squaredNorm() > 0)) return std::nullopt;
+  return stretch(corner, a, b, normal);
+}
 
 std::vector<CriticalLine> critical_lines(std::span<const Vec3> receiver, const SightZone& zone) {
   Collector collector(receiver, zone);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct CriticalLine {
   double height(const Vec2& x) const { return normal.dot(x) - level; }
   double along(const Vec2& x) const { return normal.x() * x.y() - normal.y() * x.x(); }
 };
+
+/// Where a line of sight through the corner meets the edge from a to b, seen from the source: all of the stretch, whatever
+/// else stands there. Nothing where the points are in line, or their plane does not meet the source's.
+[[nodiscard]] std::optional<CriticalLine> meeting_line(const Vec3& corner, const Vec3& a, const Vec3& b);
 
 /// Where, seen from the zone, a corner of the receiver or of an outline passes an edge of another: the traces of the
 /// planes through both, as far as the line of sight through the corner meets the edge itself and, between two

@@ -5,13 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/critical_lines.hpp"
 
 namespace etendue {
 
 namespace {
+
+/// Three edges whose angles in the view, multiplied, change by more within a cell: no triangle between them is sized.
+constexpr double kSteady = 1.0 / 16;
 
 /// The plane over an edge as seen from x.
 Vec3 plane_over(const EventCurve::Edge& edge, const Vec2& x) {
@@ -54,6 +60,55 @@ double EventCurve::at(const Vec2& x) const {
   return plane_over(edges_[0], x).cross(plane_over(edges_[1], x)).dot(plane_over(edges_[2], x));
 }
 
+/// Bernstein's coefficients, of the quadratic on each triangle of a fan: values at the corners, 2 f(middle) − (f_i + f_j)/2
+/// at the sides; until `note` has enough.
+template <typename Note>
+void EventCurve::note_coefficients(const Cell& cell, const Note& note) const {
+  std::array<double, Cell::kMostCorners> values{};
+  bool more = true;
+  for (int i = 0; i < cell.size(); ++i) more = note(values[static_cast<std::size_t>(i)] = at(cell[i]));
+  const auto middle = [&](int i, int j) {
+    const double ends = values[static_cast<std::size_t>(i)] + values[static_cast<std::size_t>(j)];
+    more = note(2 * at(0.5 * (cell[i] + cell[j])) - 0.5 * ends);
+  };
+  for (int i = 1; i < cell.size() && more; ++i) {
+    middle(0, i);
+    if (i + 1 < cell.size()) middle(i, i + 1);
+  }
+}
+
+// Three planes through the eye, with normals n_i: great circles that almost meet in one point leave a triangle of solid
+// angle det²/(2 Π |n_i × n_j|).
+double EventCurve::gap(double determinant, const Cell& cell) const {
+  double least = std::numeric_limits<double>::infinity(), most = 0, cosine = 0;
+  const auto note = [&](const Vec2& x) {
+    const Vec3 planes[3] = {plane_over(edges_[0], x), plane_over(edges_[1], x), plane_over(edges_[2], x)};
+    double product = 1;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 ray = planes[k].cross(planes[(k + 1) % 3]);
+      const double size = ray.norm();
+      product *= size;
+      cosine = std::max(cosine, size > 0 ? std::abs(ray.z()) / size : 1);
+    }
+    least = std::min(least, product);
+    most = std::max(most, product);
+  };
+  for (int i = 0; i < cell.size(); ++i) note(cell[i]);
+  note(cell.centre());
+  if (!(least > kSteady * most)) return std::numeric_limits<double>::infinity();
+  return cosine * determinant * determinant / (2 * std::numbers::pi * least);
+}
+
+double EventCurve::stray(const Cell& cell) const {
+  const double centre = at(cell.centre());
+  double beyond = 0;
+  note_coefficients(cell, [&](double value) {
+    if (value * centre <= 0) beyond = std::max(beyond, std::abs(value));
+    return true;
+  });
+  return cell.area() * gap(beyond, cell);
+}
+
 bool EventCurve::may_cross(const Cell& cell) const {
   const double size = cell.reach();
   for (int k = 0; k < 3; ++k) {
@@ -77,21 +132,11 @@ bool EventCurve::may_cross(const Cell& cell) const {
     off = std::max(off, kTouch * size * slope + kRoundings * reach[0] * reach[1] * reach[2]);
   }
   bool positive = false, negative = false;
-  const auto note = [&](double value) {
+  note_coefficients(cell, [&](double value) {
     positive = positive || value > off;
     negative = negative || value < -off;
-  };
-  // Of the quadratic on each triangle of a fan: values at the corners, 2 f(middle) − (f_i + f_j)/2 at the sides.
-  std::array<double, Cell::kMostCorners> values{};
-  for (int i = 0; i < cell.size(); ++i) note(values[static_cast<std::size_t>(i)] = at(cell[i]));
-  const auto middle = [&](int i, int j) {
-    const double ends = values[static_cast<std::size_t>(i)] + values[static_cast<std::size_t>(j)];
-    note(2 * at(0.5 * (cell[i] + cell[j])) - 0.5 * ends);
-  };
-  for (int i = 1; i < cell.size() && !(positive && negative); ++i) {
-    middle(0, i);
-    if (i + 1 < cell.size()) middle(i, i + 1);
-  }
+    return !(positive && negative);
+  });
   return positive && negative;
 }
 
@@ -124,6 +169,8 @@ class EventCurves::View {
     reach_ = cell.reach();
     for (signed char& sign : signs_) sign = sign == 0 ? kUnknown : sign;
     hides_.assign(all.loops_.size(), kUnknown);
+    passing_.assign(signs_.size(), kUnknown);
+    centre_ = cell.centre();
   }
 
   /// Outlines past which all of the receiver is seen hide nothing that counts.
@@ -133,8 +180,14 @@ class EventCurves::View {
     return hides_[loop] != 0;
   }
 
-  /// Whether two edges may cross in the view.
-  bool cross(const Edge& one, const Edge& other) const { return !beside(one, other) && !beside(other, one); }
+  /// Whether two edges may cross in the view. Where neither's end passes the other within the cell, one look tells.
+  bool cross(const Edge& one, const Edge& other) const {
+    if (beside(one, other) || beside(other, one)) return false;
+    if (cell_ == nullptr) return true;
+    const Passing there = passing(one, other), back = passing(other, one);
+    if (there == Passing::never || back == Passing::never) return false;
+    return there == Passing::some || back == Passing::some || cross_at_centre(one, other);
+  }
 
   /// Whether two loops lie beside one another in the view. An outline is the same way round as a convex region.
   bool apart(std::size_t one, std::size_t other) const {
@@ -142,12 +195,17 @@ class EventCurves::View {
   }
 
  private:
-  static constexpr signed char kUnknown = 2;
+  static constexpr signed char kUnknown = 3;
 
   std::size_t size(std::size_t loop) const { return all_.loops_[loop].size(); }
 
+  /// Of the corner of one loop over an edge of another, in the tables.
+  std::size_t index_of(std::size_t edges, std::size_t j, std::size_t corners, std::size_t corner) const {
+    return all_.tables_[edges * all_.loops_.size() + corners] + j * size(corners) + corner;
+  }
+
   signed char sign(std::size_t edges, std::size_t j, std::size_t corners, std::size_t corner) const {
-    const std::size_t index = all_.tables_[edges * all_.loops_.size() + corners] + j * size(corners) + corner;
+    const std::size_t index = index_of(edges, j, corners, corner);
     if (signs_[index] == kUnknown) {
       const ViewSide& side = all_.sides_[index];
       const auto at = [&](std::size_t k) -> const Vec2& { return (*cell_)[static_cast<int>(k)]; };
@@ -173,11 +231,52 @@ class EventCurves::View {
     return start != 0 && start == sign(other.loop, other.index, edge.loop, after(edge.index, size(edge.loop)));
   }
 
+  /// Whether an end of one edge passes the other within the cell; `never`, where it lies in line with it, but beside.
+  enum class Passing : signed char { none, some, never };
+
+  Passing passing(const Edge& edge, const Edge& other) const {
+    Passing found = Passing::none;
+    for (const std::size_t corner : {edge.index, after(edge.index, size(edge.loop))}) {
+      if (sign(other.loop, other.index, edge.loop, corner) != 0) continue;
+      const Passing one = passes(edge.loop, corner, other);
+      if (one == Passing::never) return one;
+      if (one == Passing::some) found = one;
+    }
+    return found;
+  }
+
+  Passing passes(std::size_t loop, std::size_t corner, const Edge& edge) const {
+    signed char& known = passing_[index_of(edge.loop, edge.index, loop, corner)];
+    if (known == kUnknown) known = static_cast<signed char>(find_passing(all_.loops_[loop][corner], all_.ends(edge)));
+    return static_cast<Passing>(known);
+  }
+
+  Passing find_passing(const Vec3& corner, const EventCurve::Edge& edge) const {
+    const Vec3 to_start = edge.start - corner, to_end = edge.end - corner;
+    const double across = to_start.cross(to_end).squaredNorm(), along = to_start.dot(to_end);
+    if (across <= kTouch * kTouch * to_start.squaredNorm() * to_end.squaredNorm()) {
+      return along > 0 ? Passing::never : Passing::some;
+    }
+    const auto line = meeting_line(corner, edge.start, edge.end);
+    return line && crosses(*line, *cell_) ? Passing::some : Passing::none;
+  }
+
+  bool cross_at_centre(const Edge& one, const Edge& other) const {
+    const auto astride = [&](const Edge& edge, const Edge& by) {
+      const std::size_t end = after(edge.index, size(edge.loop));
+      const double first = all_.sides_[index_of(by.loop, by.index, edge.loop, edge.index)].at(centre_);
+      return first * all_.sides_[index_of(by.loop, by.index, edge.loop, end)].at(centre_) <= 0;
+    };
+    return astride(one, other) && astride(other, one);
+  }
+
   const EventCurves& all_;
   const Cell* cell_ = nullptr;
+  Vec2 centre_ = Vec2::Zero();
   double reach_ = 0;
   mutable std::vector<signed char> signs_;  ///< found when they are asked for
   mutable std::vector<signed char> hides_;
+  mutable std::vector<signed char> passing_;
 };
 
 EventCurves::EventCurves(std::span<const Vec3> receiver, const SightZone& zone) {

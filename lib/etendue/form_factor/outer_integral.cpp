@@ -49,11 +49,17 @@ constexpr double kCurvedSpread = 0.02;
 /// chord, when the cell is cut along that.
 constexpr int kMostSteps = 8;
 constexpr double kStraight = 0.1;
+/// Of what is asked, the share that forms may err by which hold beside curves only.
+constexpr double kStrayShare = 0.25;
+/// A cell is halved once more where that makes its form good enough: halves err by 64 times less than the whole.
+constexpr double kFarFrom = 64 * 64;
 
 /// A chord of the cell along an event curve, and how far the curve leaves it compared with its length.
 struct Chord {
   Vec2 normal;
   double level;
+  double length;
+  double value;  ///< the curve's, in the middle of the chord
   double sag;
 };
 
@@ -82,8 +88,17 @@ std::optional<Chord> chord_of(const EventCurve& curve, const Cell& cell) {
   constexpr double kStep = 0.01;
   const double slope =
       (curve.at(middle + kStep * length * normal) - curve.at(middle - kStep * length * normal)) / (2 * kStep);
-  const double sag = slope != 0 ? std::abs(curve.at(middle) / slope) : 1;
-  return Chord{normal, normal.dot(middle), sag};
+  const double value = curve.at(middle), sag = slope != 0 ? std::abs(value / slope) : 1;
+  return Chord{normal, normal.dot(middle), length, value, sag};
+}
+
+double area_of(std::span<const Vec2> corners) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const Vec2 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
 }
 
 }  // namespace
@@ -95,7 +110,9 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
     for (const Outline& outline : zone.outlines) made.near.insert(made.near.end(), outline.begin(), outline.end());
     zones_.push_back(std::move(made));
   }
-  for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z);
+  double source = 0;
+  for (const SightZone& zone : space.zones) source += area_of(zone.corners);
+  for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z, kStrayShare * goal / source);
   // The smaller of the two integrals keeps the more digits; a look at the cells' centres decides.
   // A zone without outlines sees all.
   const auto open = [&](const Piece& piece) { return zones_[piece.zone].zone->outlines.empty(); };
@@ -126,7 +143,7 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   rounding_ = kRoundings * kUnitRoundoff * (area + reach * outline);
 }
 
-void OuterIntegral::add_zone(const SightSpace& space, std::size_t index) {
+void OuterIntegral::add_zone(const SightSpace& space, std::size_t index, double allowed) {
   const SightZone& zone = space.zones[index];
   if (zone.dark) return;  // nothing is seen
   const EventCurves curves(space.receiver, zone);
@@ -137,23 +154,31 @@ void OuterIntegral::add_zone(const SightSpace& space, std::size_t index) {
     piece.cell = cell;
     piece.zone = index;
     piece.curves = curves.across(cell);
-    divide(std::move(piece), kMostSteps, pieces_);
+    divide(std::move(piece), kMostSteps, allowed, pieces_);
   }
 }
 
-void OuterIntegral::divide(Piece piece, int steps, std::vector<Piece>& parts) {
+void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<Piece>& parts) {
   if (piece.cell.size() < 3 || !(piece.cell.area() > 0)) return;
   std::erase_if(piece.curves, [&](const EventCurve& curve) { return !curve.may_cross(piece.cell); });
-  if (piece.curves.empty() || steps == 0) {
+  const double most = allowed * piece.cell.area();
+  piece.stray = piece.cut_stray;
+  for (const EventCurve& curve : piece.curves) piece.stray += curve.stray(piece.cell);
+  piece.told = piece.stray <= most;
+  if (piece.told || piece.curves.empty() || steps == 0) {
     parts.push_back(std::move(piece));
     return;
   }
   const bool room = piece.cell.size() < Cell::kMostCorners;
-  const auto chord = room ? chord_of(piece.curves.back(), piece.cell) : std::nullopt;
+  const EventCurve& curve = piece.curves.back();
+  const auto chord = room ? chord_of(curve, piece.cell) : std::nullopt;
   Cell::Halves halves;
-  if (chord && chord->sag < kStraight) {
+  const double lost = chord ? curve.gap(chord->value, piece.cell) * chord->sag * chord->length * chord->length : 0;
+  const bool worth_halving = lost > most && lost <= kFarFrom * most;
+  if (chord && chord->sag < kStraight && !worth_halving) {
     halves = piece.cell.cut(chord->normal, chord->level);
     piece.bend += chord->sag * chord->sag * chord->sag;
+    piece.cut_stray += lost;
     piece.curves.pop_back();
   } else {
     const Vec2 across = piece.cell.longest();
@@ -162,7 +187,7 @@ void OuterIntegral::divide(Piece piece, int steps, std::vector<Piece>& parts) {
   for (const Cell* half : {&halves.above, &halves.below}) {
     Piece part = piece;
     part.cell = *half;
-    divide(std::move(part), steps - 1, parts);
+    divide(std::move(part), steps - 1, allowed, parts);
   }
 }
 
@@ -182,7 +207,7 @@ void OuterIntegral::survey(Piece& piece) {
     return survey.to_crossings > kDistinct * radius &&
            keeps_sides(zones_[piece.zone].view.edges(), form_of(piece), centre, piece.cell.corners());
   };
-  piece.formed = piece.curves.empty() && piece.bend == 0 && (survey.to_crossings >= kLeastReach * radius || keeps());
+  piece.formed = piece.told && (survey.to_crossings >= kLeastReach * radius || keeps());
   const double reach = std::min(survey.to_edges, survey.to_crossings) / radius;
   const bool analytic = piece.formed && reach >= kLeastReach;
   piece.decay = analytic ? std::max(kLeastDecay, 1 / (reach + std::sqrt(reach * reach - 1))) : 1;
@@ -190,8 +215,10 @@ void OuterIntegral::survey(Piece& piece) {
 
 // What is true of the centre, that nothing is hidden or that all is, is true of a cell that no line and no curve crosses.
 void OuterIntegral::measure(Piece& piece, double share) {
-  const bool one_form = piece.curves.empty() && piece.bend == 0;
-  if (one_form && (integrand_ == Integrand::hidden ? piece.none : piece.all)) {
+  const bool settled = piece.told && (integrand_ == Integrand::hidden ? piece.none : piece.all);
+  piece.formed = piece.formed || settled;
+  if (!piece.formed) piece.stray = 0;
+  if (settled) {
     piece.value = piece.error = 0;
   } else if (piece.decay < 1) {
     const double rough = kTwoNodes * piece.free * piece.cell.area() * std::pow(piece.decay, 3);
@@ -245,13 +272,14 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   const double safety = piece.nodes == kLadder[1] ? kFirstSafety : kSafety;
   piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
   const double spread = (fine.high - fine.low) * piece.cell.area();
+  if (piece.formed) return;
   piece.error = std::max(piece.error, piece.bend * spread);
   if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * spread);
 }
 
 double OuterIntegral::sum_of_errors() const {
   double sum = 0;
-  for (const Piece& piece : pieces_) sum += piece.error;
+  for (const Piece& piece : pieces_) sum += piece.error + piece.stray;
   return sum;
 }
 
@@ -261,7 +289,7 @@ bool OuterIntegral::exhausted() const {
 
 bool OuterIntegral::curved() const {
   return std::any_of(pieces_.begin(), pieces_.end(),
-                     [](const Piece& piece) { return piece.bend > 0 || !piece.curves.empty(); });
+                     [](const Piece& piece) { return !piece.formed && (piece.bend > 0 || !piece.curves.empty()); });
 }
 
 void OuterIntegral::refine() {
@@ -272,21 +300,34 @@ void OuterIntegral::refine() {
   const std::size_t count = pieces_.size();
   for (std::size_t i = 0; i < count && evaluations_ < kMostEvaluations; ++i) {
     Piece& piece = pieces_[i];
-    if (piece.error <= share) continue;
-    if (piece.decay < 1) {
+    if (piece.error + piece.stray <= share) continue;
+    if (piece.stray > kStrayShare * share && piece.curves.empty()) {
+      sample(piece);
+      continue;
+    }
+    if (piece.stray <= kStrayShare * share && piece.decay < 1) {
       int nodes = piece.nodes + 1;
       while (nodes < kMostNodes && piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) > share) ++nodes;
       if (piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) <= share && nodes <= kMostNodes) {
         measure_analytic(piece, nodes);
         continue;
       }
-    } else if (piece.curves.empty() && piece.error < kSmooth * piece.value && piece.nodes < kLadder.back()) {
+    } else if (piece.stray <= kStrayShare * share && (piece.formed || piece.curves.empty()) &&
+               piece.error < kSmooth * piece.value && piece.nodes < kLadder.back()) {
       measure_any(piece, false);
       continue;
     }
     halve(i, share);
   }
   note();
+}
+
+/// What the form does not tell exactly enough is cut anew at every node.
+void OuterIntegral::sample(Piece& piece) {
+  piece.formed = piece.told = false;
+  piece.decay = 1;
+  piece.stray = 0;
+  measure_any(piece, true);
 }
 
 void OuterIntegral::note() {
@@ -300,8 +341,9 @@ void OuterIntegral::note() {
 void OuterIntegral::halve(std::size_t index, double share) {
   Piece whole = pieces_[index];
   std::vector<Piece> parts;
-  if (!whole.curves.empty()) {
-    divide(std::move(whole), 1, parts);
+  const double allowed = kStrayShare * share / whole.cell.area();
+  if (!whole.curves.empty() && !(whole.formed && whole.stray <= kStrayShare * share)) {
+    divide(std::move(whole), 1, allowed, parts);
   } else {
     Vec2 across = whole.cell.longest();
     if (whole.cell.size() == 4) {
@@ -317,14 +359,14 @@ void OuterIntegral::halve(std::size_t index, double share) {
     for (const Cell* half : {&halves.above, &halves.below}) {
       Piece part = whole;
       part.cell = *half;
-      divide(std::move(part), 0, parts);
+      divide(std::move(part), 0, allowed, parts);
     }
   }
   for (Piece& part : parts) {
     survey(part);
     measure(part, share);
   }
-  pieces_[index].value = pieces_[index].error = 0;  // where rounding has lost both
+  pieces_[index].value = pieces_[index].error = pieces_[index].stray = 0;  // where rounding has lost both
   for (std::size_t k = 0; k < parts.size(); ++k) {
     if (k == 0) {
       pieces_[index] = std::move(parts[0]);

@@ -29,7 +29,7 @@ class OuterIntegral {
   int cells() const { return static_cast<int>(pieces_.size()); }
   int evaluations() const { return evaluations_; }
   bool exhausted() const;
-  /// Whether curves cross cells, or cells were cut along their chords.
+  /// Whether cells are sampled that curves cross, or that were cut along their chords.
   bool curved() const;
 
   /// Refines all cells whose errors stand out, to bring the sum down to an eighth. value() and error() are those of the
@@ -49,7 +49,10 @@ class OuterIntegral {
     double free = 0;   ///< the factor without blockers, at the centre
     double decay = 1;  ///< by which coefficients fall from one degree to the next; 1 where that is not known
     double bend = 0;   ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
-    std::vector<EventCurve> curves;      ///< that may cross the cell
+    std::vector<EventCurve> curves;  ///< that may cross the cell
+    double cut_stray = 0;  ///< what the form errs by between curves and the chords that the cell was cut along
+    double stray = 0;      ///< the same, and beyond the curves that cross it; nothing where no form is used
+    bool told = true;      ///< that is little: the centre tells of all of the cell
     std::size_t form = 0, form_end = 0;  ///< of what is hidden, seen from the centre: in forms_
     bool formed = false;                 ///< that form holds in all of the cell
     bool none = false;                   ///< seen from the centre, nothing is hidden
@@ -60,9 +63,10 @@ class OuterIntegral {
     double error = 0;
   };
 
-  void add_zone(const SightSpace& space, std::size_t zone);
+  void add_zone(const SightSpace& space, std::size_t zone, double allowed);
   /// Cuts a piece along its curves, or halves it, `steps` times at most, and adds the parts.
-  static void divide(Piece piece, int steps, std::vector<Piece>& parts);
+  /// A piece needs no cut whose stray is below its share of `allowed`, by area.
+  static void divide(Piece piece, int steps, double allowed, std::vector<Piece>& parts);
   void survey(Piece& piece);
   CellView view_of(const Piece& piece);
   std::span<const ViewCorner> form_of(const Piece& piece) const;
@@ -70,6 +74,7 @@ class OuterIntegral {
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
   void halve(std::size_t index, double share);
+  void sample(Piece& piece);
   double sum_of_errors() const;
   void note();
 
