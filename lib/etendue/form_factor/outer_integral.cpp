@@ -53,6 +53,7 @@ constexpr double kStraight = 0.1;
 constexpr double kStrayShare = 0.25;
 /// A cell is halved once more where that makes its form good enough: halves err by 64 times less than the whole.
 constexpr double kFarFrom = 64 * 64;
+constexpr int kMoreSteps = 3;
 
 /// A chord of the cell along an event curve, and how far the curve leaves it compared with its length.
 struct Chord {
@@ -174,7 +175,7 @@ void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<P
   const auto chord = room ? chord_of(curve, piece.cell) : std::nullopt;
   Cell::Halves halves;
   const double lost = chord ? curve.gap(chord->value, piece.cell) * chord->sag * chord->length * chord->length : 0;
-  const bool worth_halving = lost > most && lost <= kFarFrom * most;
+  const bool worth_halving = steps > kMostSteps - kMoreSteps && lost > most && lost <= kFarFrom * most;
   if (chord && chord->sag < kStraight && !worth_halving) {
     halves = piece.cell.cut(chord->normal, chord->level);
     piece.bend += chord->sag * chord->sag * chord->sag;
@@ -342,7 +343,7 @@ void OuterIntegral::halve(std::size_t index, double share) {
   Piece whole = pieces_[index];
   std::vector<Piece> parts;
   const double allowed = kStrayShare * share / whole.cell.area();
-  if (!whole.curves.empty() && !(whole.formed && whole.stray <= kStrayShare * share)) {
+  if (!whole.curves.empty() && !(whole.told && whole.stray <= kStrayShare * share)) {
     divide(std::move(whole), 1, allowed, parts);
   } else {
     Vec2 across = whole.cell.longest();

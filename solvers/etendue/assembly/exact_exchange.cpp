@@ -67,8 +67,9 @@ struct ExactExchange::Tile {
 std::vector<SeenPair> ExactExchange::factors(std::span<const SurfacePair> pairs, AbsoluteError error) const {
   std::vector<SeenPair> seen(pairs.size());
   Tile tile{pairs, {}, {}, {}};
+  Approach approach;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    SightLine line = sights_.between(pairs[k].i, pairs[k].j);
+    SightLine line = sights_.between(pairs[k].i, pairs[k].j, approach);
     seen[k].sight = line.sight;
     if (line.sight == Sight::clear) tile.clear.push_back(k);
     if (line.sight != Sight::undecided) continue;

@@ -81,6 +81,10 @@ bool pierced(const ElementMesh& mesh, std::span<const std::size_t> planes, const
 
 }  // namespace
 
+SightMap::Bounds SightMap::hull(const Bounds& a, const Bounds& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
 struct SightMap::Pair {
   const Polygon& from;
   const Polygon& to;
@@ -89,18 +93,21 @@ struct SightMap::Pair {
   Bounds bounds;
 };
 
-SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
+SightMap::Hull SightMap::hull_of(const Polygon& polygon) {
+  Hull hull{{polygon.centroid(), 0}, {polygon.vertices().front(), polygon.vertices().front()}};
+  for (const Vec3& vertex : polygon.vertices()) {
+    hull.bounds.low = hull.bounds.low.cwiseMin(vertex);
+    hull.bounds.high = hull.bounds.high.cwiseMax(vertex);
+    hull.ball.radius = std::max(hull.ball.radius, (vertex - hull.ball.centre).norm());
+  }
+  return hull;
+}
+
+SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh), counts_(mesh.faces.size()) {
+  for (const Face& face : mesh.faces) faces_.push_back(hull_of(face.polygon));
   for (const Element& element : mesh.elements) {
-    const Polygon& polygon = element.polygon;
-    Bounds bounds{polygon.vertices().front(), polygon.vertices().front()};
-    Ball ball{polygon.centroid(), 0};
-    for (const Vec3& vertex : polygon.vertices()) {
-      bounds.low = bounds.low.cwiseMin(vertex);
-      bounds.high = bounds.high.cwiseMax(vertex);
-      ball.radius = std::max(ball.radius, (vertex - ball.centre).norm());
-    }
-    element_bounds_.push_back(bounds);
-    element_balls_.push_back(ball);
+    elements_.push_back(hull_of(element.polygon));
+    ++counts_[element.face];
   }
   double largest = 0;
   for (const Face& face : mesh.faces) {
@@ -113,6 +120,7 @@ SightMap::SightMap(const ElementMesh& mesh) : mesh_(mesh) {
   }
   slack_ = kHeightRoundings * kUnitRoundoff * largest;
   gather_bodies();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) all_bodies_.push_back(b);
 }
 
 // Solids first by objects, then by what closes one together; what is left blocks face by face.
@@ -159,8 +167,9 @@ bool SightMap::reached_into(const Body& body) const {
     const Polygon& polygon = mesh_.elements[e].polygon;
     const auto beyond = [&](std::size_t face) { return heights(mesh_.faces[face].polygon, polygon).low >= -slack_; };
     if (std::any_of(body.planes.begin(), body.planes.end(), beyond)) continue;
-    const Ball& ball = element_balls_[e];
-    if (!separated(body, {polygon, polygon, ball, ball, element_bounds_[e]})) return true;
+    const Hull& hull = elements_[e];
+    const Pair pair{polygon, polygon, hull.ball, hull.ball, hull.bounds};
+    if (!reflected_apart(body, pair) && !separated(body, pair)) return true;
   }
   return false;
 }
@@ -200,17 +209,43 @@ void SightMap::add_body(std::span<const std::size_t> faces, Blocker blocker) {
 }
 
 SightLine SightMap::between(std::size_t first, std::size_t second) const {
+  return look(first, second, all_bodies_);
+}
+
+// What does not come between an element and a whole face does not come between it and a part.
+SightLine SightMap::between(std::size_t first, std::size_t second, Approach& approach) const {
+  constexpr std::size_t kFew = 4;  // elements of a face for which a look at all of it does not pay
+  const std::size_t face = mesh_.elements[second].face;
+  if (counts_[face] <= kFew) return look(first, second, all_bodies_);
+  if (approach.first_ != first || approach.face_ != face) {
+    approach.first_ = first;
+    approach.face_ = face;
+    approach.bodies_.clear();
+    const Hull &near = elements_[first], &far = faces_[face];
+    const Pair pair{mesh_.elements[first].polygon, mesh_.faces[face].polygon, near.ball, far.ball,
+                    hull(near.bounds, far.bounds)};
+    for (const std::size_t body : all_bodies_) {
+      const Body& one = bodies_[body];
+      if (!set_aside(one, pair) && !beyond_face(one, pair) && !reflected_apart(one, pair))
+        approach.bodies_.push_back(body);
+    }
+  }
+  return look(first, second, approach.bodies_);
+}
+
+SightLine SightMap::look(std::size_t first, std::size_t second, std::span<const std::size_t> bodies) const {
   const Polygon& from = mesh_.elements[first].polygon;
   const Polygon& to = mesh_.elements[second].polygon;
   if (greatest_height(from, to.vertices()) <= slack_ || greatest_height(to, from.vertices()) <= slack_) {
     return {Sight::averted, {}, {}};
   }
-  const Bounds &a = element_bounds_[first], &b = element_bounds_[second];
-  const Pair pair{
-      from, to, element_balls_[first], element_balls_[second], {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}};
+  const Hull &near = elements_[first], &far = elements_[second];
+  const Pair pair{from, to, near.ball, far.ball, hull(near.bounds, far.bounds)};
   SightLine line{Sight::clear, {}, {}};
-  for (const Body& body : bodies_) {
+  for (const std::size_t index : bodies) {
+    const Body& body = bodies_[index];
     if (!stands_between(body, pair)) continue;
+    if (hides_all(body, pair)) return {Sight::blocked, {}, {}};
     bool any = false;
     for (const std::size_t face : body.faces) {
       if (face == mesh_.elements[first].face || face == mesh_.elements[second].face || !splits(face, pair)) continue;
@@ -225,33 +260,42 @@ SightLine SightMap::between(std::size_t first, std::size_t second) const {
   return line;
 }
 
-bool SightMap::stands_between(const Body& body, const Pair& pair) const {
+// By what costs little: most of what does not stand between two elements is found here.
+bool SightMap::set_aside(const Body& body, const Pair& pair) const {
   // The space between is inside the ball that moves from the one element to the other with the larger of their radii.
   const Vec3 across = pair.far.centre - pair.near.centre, away = body.ball.centre - pair.near.centre;
   const double share = std::clamp(across.dot(away) / across.squaredNorm(), 0.0, 1.0);
   const double reach = body.ball.radius + std::max(pair.near.radius, pair.far.radius);
-  if ((away - share * across).squaredNorm() >= reach * reach) return false;
+  if ((away - share * across).squaredNorm() >= reach * reach) return true;
   for (int axis = 0; axis < 3; ++axis) {
-    if (body.bounds.low(axis) >= pair.bounds.high(axis) - slack_) return false;
-    if (body.bounds.high(axis) <= pair.bounds.low(axis) + slack_) return false;
+    if (body.bounds.low(axis) >= pair.bounds.high(axis) - slack_) return true;
+    if (body.bounds.high(axis) <= pair.bounds.low(axis) + slack_) return true;
   }
   const std::vector<Vec3>& points = blockers_[body.blocker].points();
-  if (greatest_height(pair.from, points) <= slack_ || greatest_height(pair.to, points) <= slack_) return false;
-  const bool solid = blockers_[body.blocker].is_solid();
-  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre, 2 * slack_)) return true;
-  for (const std::size_t f : body.planes) {
-    const Range a = heights(mesh_.faces[f].polygon, pair.from), b = heights(mesh_.faces[f].polygon, pair.to);
-    if (std::min(a.low, b.low) >= -slack_) return false;
-    if (!solid && std::max(a.high, b.high) <= slack_) return false;
-  }
-  return !separated(body, pair);
+  return greatest_height(pair.from, points) <= slack_ || greatest_height(pair.to, points) <= slack_;
 }
 
-// Looks for a plane with both elements on one side and the body on the other: first by reflecting an axis at the line
-// between the two points that contradict it most (Chung and Wang), then among the normals that bound the difference of the
-// two convex sets where they touch: an edge of one element with a corner of the other, an edge of the body with a line that
-// joins the elements.
-bool SightMap::separated(const Body& body, const Pair& pair) const {
+bool SightMap::stands_between(const Body& body, const Pair& pair) const {
+  if (set_aside(body, pair)) return false;
+  const bool solid = blockers_[body.blocker].is_solid();
+  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre, 2 * slack_)) return true;
+  return !beyond_face(body, pair) && !reflected_apart(body, pair) && !separated(body, pair);
+}
+
+/// Whether the pair lies beyond one face of the body.
+bool SightMap::beyond_face(const Body& body, const Pair& pair) const {
+  const bool solid = blockers_[body.blocker].is_solid();
+  for (const std::size_t f : body.planes) {
+    const Range a = heights(mesh_.faces[f].polygon, pair.from), b = heights(mesh_.faces[f].polygon, pair.to);
+    if (std::min(a.low, b.low) >= -slack_) return true;
+    if (!solid && std::max(a.high, b.high) <= slack_) return true;
+  }
+  return false;
+}
+
+// Looks for a plane with both elements on one side and the body on the other by reflecting an axis at the line between the
+// two points that contradict it most (Chung and Wang).
+bool SightMap::reflected_apart(const Body& body, const Pair& pair) const {
   constexpr int kReflections = 6;
   const std::vector<Vec3>& points = blockers_[body.blocker].points();
   Vec3 axis = body.ball.centre - 0.5 * (pair.near.centre + pair.far.centre);
@@ -269,6 +313,13 @@ bool SightMap::separated(const Body& body, const Pair& pair) const {
     if (!(square > 0)) break;
     axis -= 2 * (axis.dot(contradiction) / square) * contradiction;
   }
+  return false;
+}
+
+// Among the normals that bound the difference of the two convex sets where they touch: an edge of one element with a corner
+// of the other, an edge of the body with a line that joins the elements.
+bool SightMap::separated(const Body& body, const Pair& pair) const {
+  const std::vector<Vec3>& points = blockers_[body.blocker].points();
   const std::size_t corners = pair.from.vertices().size() + pair.to.vertices().size();
   const std::size_t lines = pair.from.vertices().size() * pair.to.vertices().size();
   if (lines * (body.directions.size() + corners) > kMostNormals) return false;
@@ -313,6 +364,17 @@ bool SightMap::splits(std::size_t face, const Pair& pair) const {
   const Range a = heights(plane, pair.from), b = heights(plane, pair.to);
   if (std::min(a.low, b.low) >= -slack_ || std::max(a.high, b.high) <= slack_) return false;  // both on one side
   return greatest_height(pair.from, plane.vertices()) > slack_ && greatest_height(pair.to, plane.vertices()) > slack_;
+}
+
+// The lines between corners pass through the solid, deeper than rounding: then so do all lines between the two (NOTES.md §1).
+bool SightMap::hides_all(const Body& body, const Pair& pair) const {
+  if (!blockers_[body.blocker].is_solid()) return false;
+  for (const Vec3& p : pair.from.vertices()) {
+    for (const Vec3& q : pair.to.vertices()) {
+      if (!pierced(mesh_, body.planes, p, q, 2 * slack_)) return false;
+    }
+  }
+  return true;
 }
 
 // The lines between corners cross the face's plane inside the face: then so do all lines between the two (NOTES.md §1).

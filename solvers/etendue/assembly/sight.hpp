@@ -26,6 +26,15 @@ struct SightLine {
                ///< live in the SightMap
 };
 
+/// Remembers what may stand between an element and any part of a face: pairs of the one with the elements of the other that
+/// follow one another look no farther. To be used with one SightMap.
+class Approach {
+  friend class SightMap;
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::size_t first_ = kNone, face_ = kNone;
+  std::vector<std::size_t> bodies_;
+};
+
 /// Which faces of a scene can stand between which elements.
 ///
 /// `averted`, `clear` and `blocked` are decided conservatively: NOTES.md §1 proves that they are true up to slack(), the
@@ -34,6 +43,8 @@ class SightMap {
  public:
   explicit SightMap(const ElementMesh& mesh);
   [[nodiscard]] SightLine between(std::size_t first, std::size_t second) const;
+  /// The same, sooner where `approach` was last asked for the same element and face.
+  [[nodiscard]] SightLine between(std::size_t first, std::size_t second, Approach& approach) const;
 
   /// Distance [length] below which surfaces count as touching: kHeightRoundings times the rounding of the largest
   /// coordinate.
@@ -58,23 +69,36 @@ class SightMap {
     std::size_t blocker;              ///< index into blockers_
   };
   struct Pair;
+  /// What goes around a polygon.
+  struct Hull {
+    Ball ball;
+    Bounds bounds;
+  };
 
+  static Hull hull_of(const Polygon& polygon);
+  static Bounds hull(const Bounds& a, const Bounds& b);
+  SightLine look(std::size_t first, std::size_t second, std::span<const std::size_t> bodies) const;
   void gather_bodies();
   bool add_solid(std::span<const std::size_t> faces, const std::vector<Polygon>& welded_faces);
   void add_body(std::span<const std::size_t> faces, Blocker blocker);
   bool reached_into(const Body& body) const;
   bool stands_between(const Body& body, const Pair& pair) const;
+  bool set_aside(const Body& body, const Pair& pair) const;
+  bool beyond_face(const Body& body, const Pair& pair) const;
+  bool reflected_apart(const Body& body, const Pair& pair) const;
   bool separated(const Body& body, const Pair& pair) const;
   bool splits(std::size_t face, const Pair& pair) const;
   bool hides_all(std::size_t face, const Pair& pair) const;
+  bool hides_all(const Body& body, const Pair& pair) const;
 
   const ElementMesh& mesh_;
   double slack_ = 0;
   std::vector<Blocker> blockers_;
   std::vector<Body> bodies_;               ///< solids, then single faces; those that can never block are left out
   std::vector<std::vector<Vec3>> inward_;  ///< of each face's edges, across them, of length one
-  std::vector<Bounds> element_bounds_;
-  std::vector<Ball> element_balls_;
+  std::vector<Hull> elements_, faces_;
+  std::vector<std::size_t> counts_;      ///< elements of each face
+  std::vector<std::size_t> all_bodies_;  ///< 0, 1, 2, …
 };
 
 }  // namespace etendue
