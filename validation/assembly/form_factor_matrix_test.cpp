@@ -213,6 +213,41 @@ TEST(FormFactorMatrix, DecidesSightConservatively) {
   EXPECT_TRUE(all_agree(wrong, decided));
 }
 
+// CLAIM      Sight: what lies under one pillar sees nothing of what lies above it, where the pillar is as wide as the two
+//            elements, too, so that all lines between their corners run along its edges; and asking through an Approach
+//            makes no difference.
+// ORACLE     exact: the pillar fills the space between.
+// TOLERANCE  none: decisions.
+TEST(FormFactorMatrix, SeesNothingThroughAPillar) {
+  proves({"IU.6-4"}, Oracle::exact, "floor and ceiling of a room with a pillar as wide as an element, and wider");
+  std::uint64_t wrong = 0, decisions = 0;
+  for (const double half : {0.5, 0.625, 0.75}) {
+    Scene scene = room_of({0, 0, 0}, {3, 3, 2});
+    for (auto& object : scene.objects) object.subdivision = {{3, 3}, {1, 1}};
+    scene.objects.push_back({"pillar", Box{{1.5, 1.5, 1}, Mat3::Identity(), {half, half, 1}}, 0, {}});
+    const ElementMesh mesh = *mesh_elements(scene);
+    const SightMap sights(mesh);
+    const auto covered = [&](std::size_t e) {
+      const Element& element = mesh.elements[e];
+      return mesh.face_of(element).object < 6 && (element.polygon.centroid().head<2>() - Vec2(1.5, 1.5)).norm() < 0.25;
+    };
+    std::uint64_t pillars = 0;
+    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+      Approach approach;
+      for (std::size_t j = 0; j < mesh.elements.size(); ++j, decisions += 2) {
+        if (i == j) continue;
+        const SightLine line = sights.between(i, j), again = sights.between(i, j, approach);
+        wrong += line.sight != again.sight || line.blockers != again.blockers || line.bodies != again.bodies;
+        if (!covered(i) || !covered(j)) continue;
+        wrong += line.sight != Sight::blocked;
+        ++pillars;
+      }
+    }
+    EXPECT_EQ(pillars, 2u) << half;
+  }
+  EXPECT_TRUE(all_agree(wrong, decisions));
+}
+
 /// A room with a turned box in it: one object, or a polygon a face.
 struct BoxedRoom {
   Scene whole, plates;

@@ -2,7 +2,10 @@
 #include "etendue/form_factor/critical_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "etendue/form_factor/cell.hpp"
@@ -69,10 +72,10 @@ TEST(CriticalLines, EndWhereTheLineOfSightMissesTheReceiver) {
 TEST(CriticalLines, CountParallelEdgesByTheirWholeLength) {
   proves({"IU.6-4"}, Oracle::closed_form, "two upright edges: the line through their feet");
   const auto upright = [](double x, double y) {
-    return std::vector<Vec3>{{x, y, 0.03125}, {x, y, 2}, {x - 0.25, y - 0.25, 2}, {x - 0.25, y - 0.25, 0.03125}};
+    return std::vector<Vec3>{{x - 0.25, y - 0.25, 0.03125}, {x - 0.25, y - 0.25, 2}, {x, y, 2}, {x, y, 0.03125}};
   };
   const SightZone zone{
-      {{0.8125, 0}, {1.5, 0}, {1.5, 0.5}, {0.8125, 0.5}}, {upright(0.5, 0.5), upright(0.75, 0.25)}, false};
+      {{0.75, 0}, {1.5, 0}, {1.5, 0.5}, {1.0625, 0.5}}, {upright(0.5, 0.5), upright(0.75, 0.25)}, false};
   // A strip far behind them and in the middle of their height: the lines of sight to the corners pass over and under it.
   const std::vector<Vec3> strip{{-1, 1, 1}, {-1, 3, 1}, {-1, 3, 1.5}, {-1, 1, 1.5}};
   const std::vector<CriticalLine> lines = critical_lines(strip, zone);
@@ -131,6 +134,67 @@ TEST(EventCurves, VanishWhereOneLineOfSightMeetsThreeEdges) {
   EXPECT_TRUE(holds(curve.may_cross(across)));
   EXPECT_TRUE(holds(!curve.may_cross(aside)));
   EXPECT_TRUE(holds(!none.may_cross(across)));
+}
+
+/// Three rulings of x = y z, whose curve is the y axis.
+EventCurve rulings() {
+  const auto ruling = [](double z) { return EventCurve::Edge{{-z, -1, z}, {z, 1, z}}; };
+  return {ruling(0.25), ruling(0.5), ruling(1)};
+}
+
+/// The factor of the triangle that these rulings leave as seen from x: the solid angle of its corners' directions, by Van
+/// Oosterom and Strackee, times the greatest of their cosines.
+double triangle_factor(const Vec2& x) {
+  const Vec3 eye(x.x(), x.y(), 0);
+  std::array<Vec3, 3> planes, rays;
+  const std::array<double, 3> heights{0.25, 0.5, 1};
+  for (std::size_t k = 0; k < 3; ++k)
+    planes[k] = (Vec3(-heights[k], -1, heights[k]) - eye).cross(Vec3(2 * heights[k], 2, 0));
+  double cosine = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    rays[k] = planes[k].cross(planes[(k + 1) % 3]).normalized();
+    if (rays[k].z() < 0) rays[k] = -rays[k];
+    cosine = std::max(cosine, rays[k].z());
+  }
+  const double spread = 1 + rays[0].dot(rays[1]) + rays[1].dot(rays[2]) + rays[2].dot(rays[0]);
+  return 2 * std::atan2(std::abs(rays[0].dot(rays[1].cross(rays[2]))), spread) * cosine / std::numbers::pi;
+}
+
+Cell square_around(const Vec2& middle, double half) {
+  Cell cell;
+  for (const Vec2& v : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) cell.add(middle + half * v);
+  return cell;
+}
+
+// CLAIM      IU.6-4: beyond an event curve the form errs by the triangle that the three edges leave, `gap` is its factor
+//            near the curve, and `stray` no less than its integral over what of a cell lies beyond.
+// ORACLE     an independent method: Van Oosterom and Strackee's solid angle; sums over 64 × 64 points.
+// TOLERANCE  at the distance d from the curve triangles are of the size d/h, h = 1/4 the least height: flat to 4d, and
+//            products over a cell of d/64 differ by less.
+TEST(EventCurves, WeighTheTriangleBeyondThem) {
+  proves({"IU.6-4"}, Oracle::program, "triangles between three rulings of x = y z, from points beside the y axis");
+  const EventCurve curve = rulings();
+  for (const double t : {-0.4, -0.1, 0.25, 0.5}) {
+    for (const double d : {0x1p-6, -0x1p-8, 0x1p-10}) {
+      const Vec2 x(d, t);
+      const double factor = triangle_factor(x);
+      EXPECT_TRUE(near(curve.gap(curve.at(x), square_around(x, std::abs(d) / 64)), factor, 4 * std::abs(d) * factor));
+    }
+  }
+  constexpr int kPoints = 64;
+  constexpr double kHalf = 1.0 / 32, kStep = 2 * kHalf / kPoints;
+  for (const double middle : {0x1p-7, -0x1p-8, 0x1p-6}) {
+    const Cell cell = square_around({middle, 0.1}, kHalf);
+    double beyond = 0;
+    for (int i = 0; i < kPoints; ++i) {
+      for (int j = 0; j < kPoints; ++j) {
+        const Vec2 x = cell[0] + kStep * Vec2(i + 0.5, j + 0.5);
+        if (x.x() * middle < 0) beyond += kStep * kStep * triangle_factor(x);
+      }
+    }
+    const double stray = curve.stray(cell);
+    EXPECT_TRUE(holds(beyond > 0 && stray >= beyond && stray <= 64 * beyond)) << stray << " for " << beyond;
+  }
 }
 
 }  // namespace

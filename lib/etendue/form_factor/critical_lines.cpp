@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "etendue/form_factor/view_side.hpp"
@@ -15,49 +16,19 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Takes in where the lines through the corner and the points of the edge near its end `a` come down to the source.
-void extend(CriticalLine& line, const Vec3& corner, const Vec3& a, const Vec3& b) {
-  const double rise = a.z() - corner.z(), other = b.z() - corner.z();
-  if (rise != 0) {
-    const Vec2 down = corner.head<2>() - corner.z() / rise * (a - corner).head<2>();
-    line.begin = std::min(line.begin, line.along(down));
-    line.end = std::max(line.end, line.along(down));
-  }
-  if (rise == 0 || rise * other > 0) return;
-  // A point of the edge is level with the corner: seen along it the source is infinitely far.
-  const Vec3 level = other == rise ? a : Vec3(a + rise / (rise - other) * (b - a));
-  const double drift = line.along((level - corner).head<2>());
-  const bool to_end = (drift > 0) != (rise > 0);
-  if (drift == 0) return;
-  (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
-}
-
-CriticalLine stretch(const Vec3& corner, const Vec3& a, const Vec3& b, const Vec3& normal) {
-  const double size = normal.head<2>().norm();
-  CriticalLine line{normal.head<2>() / size, normal.dot(corner) / size, kInfinity, -kInfinity};
-  extend(line, corner, a, b);
-  extend(line, corner, b, a);
-  return line;
-}
-
 class Collector {
  public:
-  Collector(std::span<const Vec3> receiver, const SightZone& zone) : receiver_(receiver), zone_(zone) {
+  explicit Collector(LoopSides& sides)
+      : sides_(sides), zone_(sides.zone()), receiver_(sides.loop(0)), receiver_is_convex_(sides.receiver_is_convex()) {
     lines_.reserve(16);
-    Vec2 centre = Vec2::Zero();
-    for (const Vec2& v : zone.corners) centre += v / static_cast<double>(zone.corners.size());
-    for (std::size_t i = 0; i < receiver.size() && receiver_is_convex_; ++i) {
-      const ViewSide corner =
-          view_side(receiver[i], receiver[(i + 1) % receiver.size()], receiver[(i + 2) % receiver.size()]);
-      receiver_is_convex_ = corner.at(centre) <= 0;
-    }
   }
 
-  /// Between the corners and edges of two loops; `past` where the line of sight has to go on to the receiver.
-  void add_pair(std::span<const Vec3> first, std::span<const Vec3> second, bool past) {
-    add_corners(first, second, past);
-    add_corners(second, first, past);
-    add_horizon(first, second);
+  /// Between the corners and edges of two loops.
+  void add_pair(std::size_t first, std::size_t second) {
+    if (first > 0 && second > 0) find_beyond(first, second);
+    add_corners(first, second);
+    add_corners(second, first);
+    add_horizon(sides_.loop(first), sides_.loop(second));
   }
 
   std::vector<CriticalLine> take() { return std::move(lines_); }
@@ -68,12 +39,28 @@ class Collector {
     Vec3 at, before, after;
   };
 
-  void add_corners(std::span<const Vec3> corners, std::span<const Vec3> loop, bool past) {
+  /// What of two outlines is seen beside the receiver only hides nothing of it.
+  void find_beyond(std::size_t first, std::size_t second) {
+    for (const std::size_t loop : {first, second}) {
+      std::vector<std::uint64_t>& beyond = beyond_[loop == first ? 0 : 1];
+      beyond.clear();
+      for (std::size_t k = 0; k < sides_.loop(loop).size(); ++k) beyond.push_back(sides_.beyond_receiver({loop, k}));
+    }
+  }
+
+  void add_corners(std::size_t loop, std::size_t other) {
+    const std::span<const Vec3> corners = sides_.loop(loop), edges = sides_.loop(other);
+    const bool past = loop > 0 && other > 0;
+    const std::size_t turn = loop < other ? 0 : 1;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       if (!(corners[i].z() > 0)) continue;
-      const Corner corner{corners[i], corners[i > 0 ? i - 1 : corners.size() - 1],
-                          corners[i + 1 < corners.size() ? i + 1 : 0]};
-      for (std::size_t j = 0; j < loop.size(); ++j) add(corner, loop[j], loop[j + 1 < loop.size() ? j + 1 : 0], past);
+      const std::size_t before = i > 0 ? i - 1 : corners.size() - 1;
+      if (past && (beyond_[turn][before] & beyond_[turn][i]) != 0) continue;
+      const Corner corner{corners[i], corners[before], corners[i + 1 < corners.size() ? i + 1 : 0]};
+      for (std::size_t j = 0; j < edges.size(); ++j) {
+        if (sides_.sign({other, j}, loop, i) != 0 || (past && beyond_[1 - turn][j] != 0)) continue;
+        add(corner, edges[j], edges[j + 1 < edges.size() ? j + 1 : 0], past);
+      }
     }
   }
 
@@ -82,9 +69,29 @@ class Collector {
     const double level = normal.dot(corner.at);
     // Coincident points, and planes that never meet the source's, drop out, too.
     if (!meets_zone(normal.head<2>(), level)) return;
-    CriticalLine line = stretch(corner.at, a, b, normal);
+    const double size = normal.head<2>().norm();
+    CriticalLine line{normal.head<2>() / size, level / size, kInfinity, -kInfinity};
+    extend(line, corner.at, a, b);
+    extend(line, corner.at, b, a);
     if (past && receiver_is_convex_) clip_past(line, corner, normal);
     keep(line);
+  }
+
+  /// Takes in where the lines through the corner and the points of the edge near its end `a` come down to the source.
+  static void extend(CriticalLine& line, const Vec3& corner, const Vec3& a, const Vec3& b) {
+    const double rise = a.z() - corner.z(), other = b.z() - corner.z();
+    if (rise != 0) {
+      const Vec2 down = corner.head<2>() - corner.z() / rise * (a - corner).head<2>();
+      line.begin = std::min(line.begin, line.along(down));
+      line.end = std::max(line.end, line.along(down));
+    }
+    if (rise == 0 || rise * other > 0) return;
+    // A point of the edge is level with the corner: seen along it the source is infinitely far.
+    const Vec3 level = other == rise ? a : Vec3(a + rise / (rise - other) * (b - a));
+    const double drift = line.along((level - corner).head<2>());
+    const bool to_end = (drift > 0) != (rise > 0);
+    if (drift == 0) return;
+    (to_end ? line.end : line.begin) = to_end ? kInfinity : -kInfinity;
   }
 
   /// Keeps the stretch from which the corner is seen against the receiver. Where an edge of the corner lies in the plane of
@@ -147,27 +154,30 @@ class Collector {
     if (line.begin < last && line.end > first && line.begin < line.end) lines_.push_back(line);
   }
 
-  std::span<const Vec3> receiver_;
+  LoopSides& sides_;
   const SightZone& zone_;
-  bool receiver_is_convex_ = true;
+  std::span<const Vec3> receiver_;
+  bool receiver_is_convex_;
+  std::array<std::vector<std::uint64_t>, 2> beyond_;  ///< of the edges of the two loops, the lower one first
   std::vector<CriticalLine> lines_;
 };
 
 }  // namespace
 
-std::optional<CriticalLine> meeting_line(const Vec3& corner, const Vec3& a, const Vec3& b) {
-  const Vec3 normal = (a - corner).cross(b - corner);
-  if (!(normal.head<2>().squaredNorm() > 0)) return std::nullopt;
-  return stretch(corner, a, b, normal);
+std::vector<CriticalLine> critical_lines(LoopSides& sides) {
+  Collector collector(sides);
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    collector.add_pair(0, i);
+    for (std::size_t j = 1; j < i; ++j) {
+      if (!sides.apart(j, i)) collector.add_pair(j, i);
+    }
+  }
+  return collector.take();
 }
 
 std::vector<CriticalLine> critical_lines(std::span<const Vec3> receiver, const SightZone& zone) {
-  Collector collector(receiver, zone);
-  for (std::size_t i = 0; i < zone.outlines.size(); ++i) {
-    collector.add_pair(receiver, zone.outlines[i], false);
-    for (std::size_t j = 0; j < i; ++j) collector.add_pair(zone.outlines[j], zone.outlines[i], true);
-  }
-  return collector.take();
+  LoopSides sides(receiver, zone);
+  return critical_lines(sides);
 }
 
 }  // namespace etendue

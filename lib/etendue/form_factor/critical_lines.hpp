@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "etendue/form_factor/sight_zone.hpp"
+#include "etendue/form_factor/loop_sides.hpp"
 
 namespace etendue {
 
@@ -21,16 +20,13 @@ struct CriticalLine {
   double along(const Vec2& x) const { return normal.x() * x.y() - normal.y() * x.x(); }
 };
 
-/// Where a line of sight through the corner meets the edge from a to b, seen from the source: all of the stretch, whatever
-/// else stands there. Nothing where the points are in line, or their plane does not meet the source's.
-[[nodiscard]] std::optional<CriticalLine> meeting_line(const Vec3& corner, const Vec3& a, const Vec3& b);
-
 /// Where, seen from the zone, a corner of the receiver or of an outline passes an edge of another: the traces of the
 /// planes through both, as far as the line of sight through the corner meets the edge itself and, between two
 /// outlines, goes on to the receiver. Events of three edges are curves: see event_curves.hpp.
 ///
 /// Domain    outlines between the two planes
 /// Returns   those that meet the zone
+[[nodiscard]] std::vector<CriticalLine> critical_lines(LoopSides& sides);
 [[nodiscard]] std::vector<CriticalLine> critical_lines(std::span<const Vec3> receiver, const SightZone& zone);
 
 }  // namespace etendue

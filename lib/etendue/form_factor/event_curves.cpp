@@ -142,207 +142,130 @@ bool EventCurve::may_cross(const Cell& cell) const {
 
 namespace {
 
-std::size_t after(std::size_t i, std::size_t size) {
-  return i + 1 < size ? i + 1 : 0;
-}
-
-/// 1 or −1 where that is the sign at all corners, those within `off` being on either side; else 0.
-template <typename Corners>
-signed char sign_over(const ViewSide& side, const Corners& corners, std::size_t count, double off) {
+/// 1 or −1 where that is the sign from all of the cell, corners within kTouch of it being on either side; else 0.
+int sign_over(const ViewSide& side, const Cell& cell, double reach) {
+  const double off = kTouch * reach * side.gradient.norm();
   bool positive = true, negative = true;
-  for (std::size_t k = 0; k < count; ++k) {
-    const double height = side.at(corners(k));
+  for (int k = 0; k < cell.size(); ++k) {
+    const double height = side.at(cell[k]);
     positive = positive && height >= -off;
     negative = negative && height <= off;
   }
-  return static_cast<signed char>(positive == negative ? 0 : positive ? 1 : -1);
+  return positive == negative ? 0 : positive ? 1 : -1;
 }
 
 }  // namespace
 
-/// What is told of the sides from all of a zone, or of a cell.
+/// What of that holds from all of a cell.
 class EventCurves::View {
  public:
-  explicit View(const EventCurves& all) : all_(all), signs_(all.signs_) {}
-  View(const EventCurves& all, const Cell& cell) : View(all) {
-    cell_ = &cell;
-    reach_ = cell.reach();
-    for (signed char& sign : signs_) sign = sign == 0 ? kUnknown : sign;
-    hides_.assign(all.loops_.size(), kUnknown);
-    passing_.assign(signs_.size(), kUnknown);
-    centre_ = cell.centre();
+  View(const EventCurves& all, const Cell& cell)
+      : all_(all), cell_(cell), reach_(cell.reach()), crosses_(all.crossings_.size(), kUnknown) {}
+
+  bool met(const Triple& triple) {
+    for (const std::size_t crossing : triple.crossings) {
+      if (!may_cross(crossing)) return false;
+    }
+    return true;
   }
 
   /// Outlines past which all of the receiver is seen hide nothing that counts.
-  bool hides(std::size_t loop) const {
-    if (loop == 0 || cell_ == nullptr) return true;
-    if (hides_[loop] == kUnknown) hides_[loop] = outside(0, loop) ? 0 : 1;
-    return hides_[loop] != 0;
-  }
-
-  /// Whether two edges may cross in the view. Where neither's end passes the other within the cell, one look tells.
-  bool cross(const Edge& one, const Edge& other) const {
-    if (beside(one, other) || beside(other, one)) return false;
-    if (cell_ == nullptr) return true;
-    const Passing there = passing(one, other), back = passing(other, one);
-    if (there == Passing::never || back == Passing::never) return false;
-    return there == Passing::some || back == Passing::some || cross_at_centre(one, other);
-  }
-
-  /// Whether two loops lie beside one another in the view. An outline is the same way round as a convex region.
-  bool apart(std::size_t one, std::size_t other) const {
-    return (other > 0 && outside(one, other)) || (one > 0 && outside(other, one));
-  }
+  bool hides(std::size_t outline) const { return outline == 0 || !outside(0, outline); }
+  bool apart(std::size_t one, std::size_t other) const { return outside(one, other) || outside(other, one); }
 
  private:
-  static constexpr signed char kUnknown = 3;
+  static constexpr signed char kUnknown = -1;
 
-  std::size_t size(std::size_t loop) const { return all_.loops_[loop].size(); }
-
-  /// Of the corner of one loop over an edge of another, in the tables.
-  std::size_t index_of(std::size_t edges, std::size_t j, std::size_t corners, std::size_t corner) const {
-    return all_.tables_[edges * all_.loops_.size() + corners] + j * size(corners) + corner;
-  }
-
-  signed char sign(std::size_t edges, std::size_t j, std::size_t corners, std::size_t corner) const {
-    const std::size_t index = index_of(edges, j, corners, corner);
-    if (signs_[index] == kUnknown) {
-      const ViewSide& side = all_.sides_[index];
-      const auto at = [&](std::size_t k) -> const Vec2& { return (*cell_)[static_cast<int>(k)]; };
-      signs_[index] =
-          sign_over(side, at, static_cast<std::size_t>(cell_->size()), kTouch * reach_ * side.gradient.norm());
+  bool may_cross(std::size_t index) {
+    signed char& known = crosses_[index];
+    if (known == kUnknown) {
+      const auto& sides = all_.crossings_[index].sides;
+      const auto beside = [&](std::size_t k) {
+        const int start = sign_over(sides[k], cell_, reach_);
+        return start != 0 && start == sign_over(sides[k + 1], cell_, reach_);
+      };
+      known = beside(0) || beside(2) ? 0 : 1;
     }
-    return signs_[index];
+    return known != 0;
   }
 
   /// Whether all corners of a loop lie outside of one edge of an outline.
   bool outside(std::size_t loop, std::size_t outline) const {
-    for (std::size_t j = 0; j < size(outline); ++j) {
+    LoopSides& sides = all_.sides_;
+    for (std::size_t j = 0; j < sides.loop(outline).size(); ++j) {
       bool all = true;
-      for (std::size_t c = 0; c < size(loop) && all; ++c) all = sign(outline, j, loop, c) < 0;
+      for (std::size_t c = 0; c < sides.loop(loop).size() && all; ++c) {
+        const Edge edge{outline, j};
+        const int sign = sides.sign(edge, loop, c);
+        all = sign < 0 || (sign == 0 && sign_over(sides.side(edge, loop, c), cell_, reach_) < 0);
+      }
       if (all) return true;
     }
     return false;
   }
 
-  /// Whether the ends of `edge` lie on one side of `other`.
-  bool beside(const Edge& edge, const Edge& other) const {
-    const signed char start = sign(other.loop, other.index, edge.loop, edge.index);
-    return start != 0 && start == sign(other.loop, other.index, edge.loop, after(edge.index, size(edge.loop)));
-  }
-
-  /// Whether an end of one edge passes the other within the cell; `never`, where it lies in line with it, but beside.
-  enum class Passing : signed char { none, some, never };
-
-  Passing passing(const Edge& edge, const Edge& other) const {
-    Passing found = Passing::none;
-    for (const std::size_t corner : {edge.index, after(edge.index, size(edge.loop))}) {
-      if (sign(other.loop, other.index, edge.loop, corner) != 0) continue;
-      const Passing one = passes(edge.loop, corner, other);
-      if (one == Passing::never) return one;
-      if (one == Passing::some) found = one;
-    }
-    return found;
-  }
-
-  Passing passes(std::size_t loop, std::size_t corner, const Edge& edge) const {
-    signed char& known = passing_[index_of(edge.loop, edge.index, loop, corner)];
-    if (known == kUnknown) known = static_cast<signed char>(find_passing(all_.loops_[loop][corner], all_.ends(edge)));
-    return static_cast<Passing>(known);
-  }
-
-  Passing find_passing(const Vec3& corner, const EventCurve::Edge& edge) const {
-    const Vec3 to_start = edge.start - corner, to_end = edge.end - corner;
-    const double across = to_start.cross(to_end).squaredNorm(), along = to_start.dot(to_end);
-    if (across <= kTouch * kTouch * to_start.squaredNorm() * to_end.squaredNorm()) {
-      return along > 0 ? Passing::never : Passing::some;
-    }
-    const auto line = meeting_line(corner, edge.start, edge.end);
-    return line && crosses(*line, *cell_) ? Passing::some : Passing::none;
-  }
-
-  bool cross_at_centre(const Edge& one, const Edge& other) const {
-    const auto astride = [&](const Edge& edge, const Edge& by) {
-      const std::size_t end = after(edge.index, size(edge.loop));
-      const double first = all_.sides_[index_of(by.loop, by.index, edge.loop, edge.index)].at(centre_);
-      return first * all_.sides_[index_of(by.loop, by.index, edge.loop, end)].at(centre_) <= 0;
-    };
-    return astride(one, other) && astride(other, one);
-  }
-
   const EventCurves& all_;
-  const Cell* cell_ = nullptr;
-  Vec2 centre_ = Vec2::Zero();
-  double reach_ = 0;
-  mutable std::vector<signed char> signs_;  ///< found when they are asked for
-  mutable std::vector<signed char> hides_;
-  mutable std::vector<signed char> passing_;
+  const Cell& cell_;
+  double reach_;
+  std::vector<signed char> crosses_;
 };
 
-EventCurves::EventCurves(std::span<const Vec3> receiver, const SightZone& zone) {
-  if (zone.outlines.size() < 2) return;
-  loops_.push_back(receiver);
-  for (const Outline& outline : zone.outlines) loops_.push_back(outline);
-  tables_.assign(loops_.size() * loops_.size(), 0);
-  for (std::size_t i = 0; i < loops_.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      add_table(i, j, zone.corners);
-      add_table(j, i, zone.corners);
-    }
-  }
-  find_triples(View(*this));
-}
-
-void EventCurves::add_table(std::size_t edges, std::size_t corners, std::span<const Vec2> zone) {
-  tables_[edges * loops_.size() + corners] = sides_.size();
-  const auto at = [&](std::size_t k) -> const Vec2& { return zone[k]; };
-  for (std::size_t j = 0; j < loops_[edges].size(); ++j) {
-    for (const Vec3& corner : loops_[corners]) {
-      sides_.push_back(view_side(loops_[edges][j], loops_[edges][after(j, loops_[edges].size())], corner));
-      signs_.push_back(sign_over(sides_.back(), at, zone.size(), 0));
+EventCurves::EventCurves(LoopSides& sides) : sides_(sides) {
+  for (std::size_t first = 1; first < sides.size(); ++first) {
+    for (std::size_t second = first + 1; second < sides.size(); ++second) {
+      if (!sides.apart(first, second)) add_triples(first, second);
     }
   }
 }
 
-void EventCurves::find_triples(const View& view) {
-  const std::size_t count = loops_.size();
-  for (std::size_t first = 1; first < count; ++first) {
-    for (std::size_t second = first + 1; second < count; ++second) {
-      if (view.apart(first, second)) continue;
-      std::vector<std::pair<Edge, Edge>> pairs;
-      for (std::size_t i = 0; i < loops_[first].size(); ++i) {
-        for (std::size_t j = 0; j < loops_[second].size(); ++j) {
-          if (view.cross({first, i}, {second, j})) pairs.push_back({{first, i}, {second, j}});
-        }
+std::size_t EventCurves::add_crossing(const Edge& one, const Edge& other) {
+  const auto same = [](const Edge& a, const Edge& b) { return a.loop == b.loop && a.index == b.index; };
+  for (std::size_t k = 0; k < crossings_.size(); ++k) {
+    if (same(crossings_[k].one, one) && same(crossings_[k].other, other)) return k;
+  }
+  const auto side = [&](const Edge& edge, const Edge& by, bool end) {
+    return sides_.side(by, edge.loop, end ? sides_.after(edge.loop, edge.index) : edge.index);
+  };
+  crossings_.push_back(
+      {one, other, {side(one, other, false), side(one, other, true), side(other, one, false), side(other, one, true)}});
+  return crossings_.size() - 1;
+}
+
+void EventCurves::add_triples(std::size_t first, std::size_t second) {
+  std::vector<std::pair<Edge, Edge>> pairs;
+  for (std::size_t i = 0; i < sides_.loop(first).size(); ++i) {
+    for (std::size_t j = 0; j < sides_.loop(second).size(); ++j) {
+      const Edge one{first, i}, other{second, j};
+      if (sides_.never_cross(one, other) || sides_.beyond_receiver(one) != 0 || sides_.beyond_receiver(other) != 0) {
+        continue;
       }
-      for (std::size_t third = 0; third < count && !pairs.empty(); third = std::max(third, second) + 1) {
-        if (view.apart(third, first) || view.apart(third, second)) continue;
-        for (std::size_t k = 0; k < loops_[third].size(); ++k) {
-          for (const auto& [one, other] : pairs) {
-            const Edge edge{third, k};
-            if (view.cross(edge, one) && view.cross(edge, other)) triples_.push_back({one, other, edge});
-          }
-        }
+      pairs.push_back({one, other});
+    }
+  }
+  for (std::size_t third = 0; third < sides_.size() && !pairs.empty(); third = std::max(third, second) + 1) {
+    if (sides_.apart(third, first) || sides_.apart(third, second)) continue;
+    for (std::size_t k = 0; k < sides_.loop(third).size(); ++k) {
+      const Edge edge{third, k};
+      for (const auto& [one, other] : pairs) {
+        if (sides_.never_cross(edge, one) || sides_.never_cross(edge, other)) continue;
+        const std::size_t meets = add_crossing(one, other), by_one = add_crossing(one, edge);
+        triples_.push_back({{meets, by_one, add_crossing(other, edge)}, one, other, edge});
       }
     }
   }
-}
-
-EventCurve::Edge EventCurves::ends(const Edge& edge) const {
-  const std::span<const Vec3> loop = loops_[edge.loop];
-  return {loop[edge.index], loop[after(edge.index, loop.size())]};
 }
 
 std::vector<EventCurve> EventCurves::across(const Cell& cell) const {
   std::vector<EventCurve> found;
   if (triples_.empty()) return found;
-  const View view(*this, cell);
-  for (const auto& [first, second, third] : triples_) {
-    if (!view.hides(first.loop) || !view.hides(second.loop) || !view.hides(third.loop)) continue;
-    if (!view.cross(first, second) || !view.cross(third, first) || !view.cross(third, second)) continue;
-    if (view.apart(first.loop, second.loop)) continue;
+  View view(*this, cell);
+  for (const Triple& triple : triples_) {
+    if (!view.met(triple)) continue;
+    const auto [first, second, third] = std::array{triple.first, triple.second, triple.third};
     const EventCurve curve(ends(third), ends(first), ends(second));
-    if (curve.may_cross(cell)) found.push_back(curve);
+    if (!curve.may_cross(cell)) continue;
+    if (!view.hides(first.loop) || !view.hides(second.loop) || !view.hides(third.loop)) continue;
+    if (!view.apart(first.loop, second.loop)) found.push_back(curve);
   }
   return found;
 }

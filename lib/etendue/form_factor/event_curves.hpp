@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <span>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "etendue/form_factor/cell.hpp"
-#include "etendue/form_factor/view_side.hpp"
+#include "etendue/form_factor/loop_sides.hpp"
 
 namespace etendue {
 
@@ -41,27 +42,29 @@ class EventCurve {
 /// point of the cell. Whether two may is settled by the ends of either over the plane of the other, affine functions.
 class EventCurves {
  public:
-  EventCurves(std::span<const Vec3> receiver, const SightZone& zone);
+  /// Refers to `sides` as long as it lives.
+  explicit EventCurves(LoopSides& sides);
   [[nodiscard]] std::vector<EventCurve> across(const Cell& cell) const;
 
  private:
-  struct Edge {
-    std::size_t loop, index;
+  using Edge = LoopSides::Edge;
+  /// Two edges of two loops that may cross from some point of the zone.
+  struct Crossing {
+    Edge one, other;
+    std::array<ViewSide, 4> sides;  ///< of the ends of each over the other
   };
   struct Triple {
+    std::array<std::size_t, 3> crossings;
     Edge first, second, third;  ///< the first two of outlines
   };
   class View;
-  void add_table(std::size_t edges, std::size_t corners, std::span<const Vec2> zone);
-  void find_triples(const View& view);
-  EventCurve::Edge ends(const Edge& edge) const;
+  std::size_t add_crossing(const Edge& one, const Edge& other);
+  void add_triples(std::size_t first, std::size_t second);
+  EventCurve::Edge ends(const Edge& edge) const { return {sides_.start(edge), sides_.end(edge)}; }
 
-  std::vector<std::span<const Vec3>> loops_;  ///< the receiver, the outlines
-  // Of the corners of one loop over the edges of another, edge by edge.
-  std::vector<std::size_t> tables_;  ///< by the two loops: the first of
-  std::vector<ViewSide> sides_;
-  std::vector<signed char> signs_;  ///< 1 or −1 where that is the sign from all of the zone, else 0
-  std::vector<Triple> triples_;     ///< that may be met at once from some point of the zone
+  LoopSides& sides_;
+  std::vector<Crossing> crossings_;
+  std::vector<Triple> triples_;  ///< that may be met at once from some point of the zone
 };
 
 }  // namespace etendue

@@ -23,8 +23,9 @@ struct ObstructedFormFactor : Bounded {
   double clamped_by = 0;  ///< how far the value was moved; never more than the bound before
   int cells = 0;          ///< pieces of the source over which was integrated
   int evaluations = 0;    ///< points from which the receiver was looked at
-  bool curved = false;    ///< curves of three edges cross the source: the estimate rests on how far it was cut there
-  bool reached = true;    ///< false: the work limit came before the tolerance, and the bound says how far it got
+  bool curved =
+      false;  ///< cells were sampled that curves of three edges cross: the estimate rests on how far they were cut
+  bool reached = true;  ///< false: the work limit came before the tolerance, and the bound says how far it got
 };
 
 /// Form factor F_12 where `blockers` stand in the way.

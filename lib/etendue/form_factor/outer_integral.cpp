@@ -147,8 +147,9 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
 void OuterIntegral::add_zone(const SightSpace& space, std::size_t index, double allowed) {
   const SightZone& zone = space.zones[index];
   if (zone.dark) return;  // nothing is seen
-  const EventCurves curves(space.receiver, zone);
-  const std::vector<Cell> cells = cells_between(zone.corners, critical_lines(space.receiver, zone));
+  LoopSides sides(space.receiver, zone);
+  const EventCurves curves(sides);
+  const std::vector<Cell> cells = cells_between(zone.corners, critical_lines(sides));
   pieces_.reserve(pieces_.size() + cells.size());
   for (const Cell& cell : cells) {
     Piece piece;

@@ -24,7 +24,7 @@ struct SeenPair {
 /// Exact integration: FactorRows where nothing stands between two elements, obstructed_form_factor() where something does.
 ///                                                                                            @eq IU.6-3, IU.6-4
 /// Accuracy  clear pairs: as form_factor() bounds them, proved. Obstructed pairs: as obstructed_form_factor()
-///           estimates them, measured; one in kCheckedObstructedPairs, and those that curves of three edges cross, from
+///           estimates them, measured; one in kCheckedObstructedPairs, and those sampled across curves of three edges, from
 ///           both sides, with the larger of the two estimates and of the difference (two_sided_factor()). Touching surfaces: as kTouching says
 /// Order     a pair's bits depend on nothing but the pair: clear ones are computed from the lower number
 class ExactExchange : public ExchangeMethod {

@@ -81,16 +81,17 @@ bool pierced(const ElementMesh& mesh, std::span<const std::size_t> planes, const
 
 }  // namespace
 
-SightMap::Bounds SightMap::hull(const Bounds& a, const Bounds& b) {
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-}
-
 struct SightMap::Pair {
-  const Polygon& from;
-  const Polygon& to;
-  const Ball& near;
-  const Ball& far;
+  const Polygon &from, &to;
+  const Ball &near, &far;
   Bounds bounds;
+  Pair(const Polygon& first, const Hull& first_hull, const Polygon& second, const Hull& second_hull)
+      : from(first),
+        to(second),
+        near(first_hull.ball),
+        far(second_hull.ball),
+        bounds{first_hull.bounds.low.cwiseMin(second_hull.bounds.low),
+               first_hull.bounds.high.cwiseMax(second_hull.bounds.high)} {}
 };
 
 SightMap::Hull SightMap::hull_of(const Polygon& polygon) {
@@ -167,8 +168,7 @@ bool SightMap::reached_into(const Body& body) const {
     const Polygon& polygon = mesh_.elements[e].polygon;
     const auto beyond = [&](std::size_t face) { return heights(mesh_.faces[face].polygon, polygon).low >= -slack_; };
     if (std::any_of(body.planes.begin(), body.planes.end(), beyond)) continue;
-    const Hull& hull = elements_[e];
-    const Pair pair{polygon, polygon, hull.ball, hull.ball, hull.bounds};
+    const Pair pair(polygon, elements_[e], polygon, elements_[e]);
     if (!reflected_apart(body, pair) && !separated(body, pair)) return true;
   }
   return false;
@@ -197,10 +197,7 @@ void SightMap::add_body(std::span<const std::size_t> faces, Blocker blocker) {
   if (body.faces.empty()) return;
   const std::vector<Vec3>& points = blocker.points();
   body.bounds = {points.front(), points.front()};
-  for (const Vec3& p : points) {
-    body.bounds.low = body.bounds.low.cwiseMin(p);
-    body.bounds.high = body.bounds.high.cwiseMax(p);
-  }
+  for (const Vec3& p : points) body.bounds = {body.bounds.low.cwiseMin(p), body.bounds.high.cwiseMax(p)};
   body.ball = {0.5 * (body.bounds.low + body.bounds.high), 0};
   for (const Vec3& p : points) body.ball.radius = std::max(body.ball.radius, (p - body.ball.centre).norm());
   body.blocker = blockers_.size();
@@ -221,9 +218,7 @@ SightLine SightMap::between(std::size_t first, std::size_t second, Approach& app
     approach.first_ = first;
     approach.face_ = face;
     approach.bodies_.clear();
-    const Hull &near = elements_[first], &far = faces_[face];
-    const Pair pair{mesh_.elements[first].polygon, mesh_.faces[face].polygon, near.ball, far.ball,
-                    hull(near.bounds, far.bounds)};
+    const Pair pair(mesh_.elements[first].polygon, elements_[first], mesh_.faces[face].polygon, faces_[face]);
     for (const std::size_t body : all_bodies_) {
       const Body& one = bodies_[body];
       if (!set_aside(one, pair) && !beyond_face(one, pair) && !reflected_apart(one, pair))
@@ -234,13 +229,11 @@ SightLine SightMap::between(std::size_t first, std::size_t second, Approach& app
 }
 
 SightLine SightMap::look(std::size_t first, std::size_t second, std::span<const std::size_t> bodies) const {
-  const Polygon& from = mesh_.elements[first].polygon;
-  const Polygon& to = mesh_.elements[second].polygon;
+  const Polygon &from = mesh_.elements[first].polygon, &to = mesh_.elements[second].polygon;
   if (greatest_height(from, to.vertices()) <= slack_ || greatest_height(to, from.vertices()) <= slack_) {
     return {Sight::averted, {}, {}};
   }
-  const Hull &near = elements_[first], &far = elements_[second];
-  const Pair pair{from, to, near.ball, far.ball, hull(near.bounds, far.bounds)};
+  const Pair pair(from, elements_[first], to, elements_[second]);
   SightLine line{Sight::clear, {}, {}};
   for (const std::size_t index : bodies) {
     const Body& body = bodies_[index];
@@ -253,7 +246,11 @@ SightLine SightMap::look(std::size_t first, std::size_t second, std::span<const 
       any = true;
       line.blockers.push_back(face);
     }
-    if (!any) continue;
+    if (!any) {
+      // Lines that pass through it do not enter it: both lie inside, as those of floor and ceiling do under a pillar.
+      if (pierces(body, pair)) return {Sight::blocked, {}, {}};
+      continue;
+    }
     line.sight = Sight::undecided;
     line.bodies.push_back(&blockers_[body.blocker]);
   }
@@ -277,8 +274,7 @@ bool SightMap::set_aside(const Body& body, const Pair& pair) const {
 
 bool SightMap::stands_between(const Body& body, const Pair& pair) const {
   if (set_aside(body, pair)) return false;
-  const bool solid = blockers_[body.blocker].is_solid();
-  if (solid && pierced(mesh_, body.planes, pair.near.centre, pair.far.centre, 2 * slack_)) return true;
+  if (pierces(body, pair)) return true;
   return !beyond_face(body, pair) && !reflected_apart(body, pair) && !separated(body, pair);
 }
 
@@ -293,8 +289,7 @@ bool SightMap::beyond_face(const Body& body, const Pair& pair) const {
   return false;
 }
 
-// Looks for a plane with both elements on one side and the body on the other by reflecting an axis at the line between the
-// two points that contradict it most (Chung and Wang).
+// A plane between the elements and the body: an axis is reflected at the two points that contradict it most (Chung and Wang).
 bool SightMap::reflected_apart(const Body& body, const Pair& pair) const {
   constexpr int kReflections = 6;
   const std::vector<Vec3>& points = blockers_[body.blocker].points();
@@ -316,8 +311,7 @@ bool SightMap::reflected_apart(const Body& body, const Pair& pair) const {
   return false;
 }
 
-// Among the normals that bound the difference of the two convex sets where they touch: an edge of one element with a corner
-// of the other, an edge of the body with a line that joins the elements.
+// Among the normals that bound the difference of the two convex sets: see NOTES.md §1 (d).
 bool SightMap::separated(const Body& body, const Pair& pair) const {
   const std::vector<Vec3>& points = blockers_[body.blocker].points();
   const std::size_t corners = pair.from.vertices().size() + pair.to.vertices().size();
@@ -366,9 +360,15 @@ bool SightMap::splits(std::size_t face, const Pair& pair) const {
   return greatest_height(pair.from, plane.vertices()) > slack_ && greatest_height(pair.to, plane.vertices()) > slack_;
 }
 
+/// Whether the line between the two middles passes through a solid, deeper than rounding.
+bool SightMap::pierces(const Body& body, const Pair& pair) const {
+  return blockers_[body.blocker].is_solid() &&
+         pierced(mesh_, body.planes, pair.near.centre, pair.far.centre, 2 * slack_);
+}
+
 // The lines between corners pass through the solid, deeper than rounding: then so do all lines between the two (NOTES.md §1).
 bool SightMap::hides_all(const Body& body, const Pair& pair) const {
-  if (!blockers_[body.blocker].is_solid()) return false;
+  if (!pierces(body, pair)) return false;
   for (const Vec3& p : pair.from.vertices()) {
     for (const Vec3& q : pair.to.vertices()) {
       if (!pierced(mesh_, body.planes, p, q, 2 * slack_)) return false;

@@ -14,7 +14,7 @@ namespace etendue {
 enum class Sight {
   averted,    ///< no point of one lies before the other's plane: the form factor is zero
   clear,      ///< no face reaches into the space between them
-  blocked,    ///< one face hides all of one from all of the other: the form factor is zero
+  blocked,    ///< one face or solid hides all of one from all of the other: the form factor is zero
   undecided,  ///< some faces may reach into it: they are listed
 };
 
@@ -76,7 +76,6 @@ class SightMap {
   };
 
   static Hull hull_of(const Polygon& polygon);
-  static Bounds hull(const Bounds& a, const Bounds& b);
   SightLine look(std::size_t first, std::size_t second, std::span<const std::size_t> bodies) const;
   void gather_bodies();
   bool add_solid(std::span<const std::size_t> faces, const std::vector<Polygon>& welded_faces);
@@ -88,6 +87,7 @@ class SightMap {
   bool reflected_apart(const Body& body, const Pair& pair) const;
   bool separated(const Body& body, const Pair& pair) const;
   bool splits(std::size_t face, const Pair& pair) const;
+  bool pierces(const Body& body, const Pair& pair) const;
   bool hides_all(std::size_t face, const Pair& pair) const;
   bool hides_all(const Body& body, const Pair& pair) const;
 
