@@ -87,6 +87,7 @@ struct Placed {
 };
 
 void find_planes(Placed& placed) {
+  placed.planes.reserve(placed.blocker->is_solid() ? placed.blocker->faces().size() : 1);
   for (const Blocker::Face& face : placed.blocker->faces()) {
     const std::vector<std::size_t>& c = face.corners;
     const Vec3& base = placed.points[c[0]];
@@ -109,6 +110,7 @@ std::vector<double> heights_of(const Points& points, const FramePlane& plane) {
 
 Outline cut(const Outline& loop, const std::vector<double>& heights) {
   Outline kept;
+  kept.reserve(loop.size() + 1);  // a convex loop gains one corner
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const std::size_t j = (i + 1) % loop.size();
     if (heights[i] >= 0) kept.push_back(loop[i]);
@@ -144,6 +146,7 @@ std::vector<std::size_t> silhouette(const Blocker& solid, const std::vector<bool
     ++edges;
   }
   std::vector<std::size_t> loop;
+  loop.reserve(edges);
   for (std::size_t p = start; p < next.size() && loop.size() < edges; p = next[p]) loop.push_back(p);
   return loop;
 }
@@ -207,6 +210,7 @@ class Zoning {
 
   static Outline loop_of(const Placed& p, const std::vector<std::size_t>& corners, bool reversed) {
     Outline loop;
+    loop.reserve(corners.size());
     for (const std::size_t c : corners) loop.push_back(p.points[c]);
     if (reversed) std::reverse(loop.begin(), loop.end());
     return loop;
@@ -221,6 +225,7 @@ class Zoning {
 
   void add_solid(const Placed& p, SightZone& zone) const {
     std::vector<bool> seen;
+    seen.reserve(p.planes.size());
     bool any = false;
     for (const FramePlane& plane : p.planes) {
       seen.push_back(Sides(zone.corners, plane).front);
@@ -283,6 +288,8 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
   const Frame frame = frame_of(pair, from_origin);
   SightSpace space;
   std::vector<Vec3> source;
+  source.reserve(pair.from.vertices.size());
+  space.receiver.reserve(pair.to.vertices.size());
   for (const Vec3& v : pair.from.vertices) {
     source.push_back(frame.turned(v));
     source.back().z() = 0;
@@ -301,6 +308,7 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
     }
   }
   std::vector<Placed> placed;
+  placed.reserve(blockers.size());
   for (const Blocker* blocker : blockers) {
     Placed candidate{blocker, frame.placed(blocker->points())};
     const Place where = place(candidate.points, source_plane, receiver_plane);
@@ -312,6 +320,7 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
   const Zoning zoning(std::move(placed), source_plane, receiver_plane);
   for (const std::vector<std::size_t>& piece : convex_pieces(source, Vec3::UnitZ())) {
     std::vector<Vec2> corners;
+    corners.reserve(piece.size());
     for (const std::size_t i : piece) corners.push_back(source[i].head<2>());
     zoning.divide(std::move(corners), space.zones);
   }
