@@ -97,12 +97,13 @@ TEST(VertexRadiosity, ReproducesLinearFields) {
   }
 }
 
-// Floor of columns × rows unit elements with walls on it, cut at their feet.
-ElementMesh with_walls(int columns, int rows, const std::vector<std::array<double, 4>>& feet) {
-  const double x = columns, y = rows;
-  Scene scene = scene_of({quadrilateral({0, 0, 0}, {x, 0, 0}, {x, y, 0}, {0, y, 0})});
+// Floor of columns × rows unit elements with walls on it, cut at their feet; `away` from the origin.
+ElementMesh with_walls(int columns, int rows, const std::vector<std::array<double, 4>>& feet, double away = 0) {
+  const double x = away + columns, y = away + rows;
+  Scene scene = scene_of({quadrilateral({away, away, 0}, {x, away, 0}, {x, y, 0}, {away, y, 0})});
   scene.objects[0].subdivision = {{columns, rows}, {1, 1}};
-  for (const auto& [x0, y0, x1, y1] : feet) {
+  for (const auto& foot : feet) {
+    const double x0 = away + foot[0], y0 = away + foot[1], x1 = away + foot[2], y1 = away + foot[3];
     scene.objects.push_back({"wall", quadrilateral({x0, y0, 0}, {x1, y1, 0}, {x1, y1, 1}, {x0, y0, 1}), 0, {}});
   }
   scene.align_mesh = true;
@@ -121,19 +122,21 @@ TEST(VertexRadiosity, LeaksAcrossAFootThatItsMeshDoesNotFollow) {
   for (std::size_t c = 0; c < 4; ++c) EXPECT_TRUE(near(corner(nine, 4, c), shown[c], 0));
 
   // The wall of scenes/leak: from (3, 0.7) to (0.4, 3).
-  const auto lit = [](const Vec3& p) { return (p.x() - 3) * 2.3 + (p.y() - 0.7) * 2.6; };
-  const ElementMesh mesh = with_walls(3, 3, {{3, 0.7, 0.4, 3}});
-  std::vector<Rgb> radiosity;
-  for (const Element& element : mesh.elements) {
-    radiosity.push_back(Rgb::Constant(lit(element.polygon.centroid()) > 0 && element.face == 0 ? 1 : 0));
+  for (const double away : {0.0, 1e7}) {  // there coordinates are rounded to 2^-30
+    const auto lit = [&](const Vec3& p) { return (p.x() - away - 3) * 2.3 + (p.y() - away - 0.7) * 2.6; };
+    const ElementMesh mesh = with_walls(3, 3, {{3, 0.7, 0.4, 3}}, away);
+    std::vector<Rgb> radiosity;
+    for (const Element& element : mesh.elements) {
+      radiosity.push_back(Rgb::Constant(lit(element.polygon.centroid()) > 0 && element.face == 0 ? 1 : 0));
+    }
+    const auto values = vertex_radiosities(mesh, radiosity);
+    std::uint64_t pieces = 0;
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+      for (const Rgb& value : values.corners[k]) EXPECT_TRUE(near(value(0), radiosity[k](0), 0x1p-52)) << k;
+      pieces += mesh.elements[k].cell == kNoCell;
+    }
+    EXPECT_EQ(pieces, 10u) << "the foot passes five of nine elements";
   }
-  const auto values = vertex_radiosities(mesh, radiosity);
-  std::uint64_t pieces = 0;
-  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
-    for (const Rgb& value : values.corners[k]) EXPECT_TRUE(near(value(0), radiosity[k](0), 0x1p-52)) << k;
-    pieces += mesh.elements[k].cell == kNoCell;
-  }
-  EXPECT_EQ(pieces, 10u) << "the foot passes five of nine elements";
 }
 
 // CLAIM      IU.6.5.1: a wall keeps the two sides of its foot apart, and no more: around its free end, also in the inside of an

@@ -73,6 +73,14 @@ std::optional<Segment> within(const Segment& segment, const Polygon& polygon, do
 
 }  // namespace
 
+double touching_distance(const ElementMesh& mesh) {
+  double largest = 0;
+  for (const Face& face : mesh.faces) {
+    for (const Vec3& v : face.polygon.vertices()) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  }
+  return std::max(kTouching * diagonal(mesh), kCornerRounding * largest);
+}
+
 std::vector<Contact> contacts(std::span<const Face> faces, double touching) {
   std::vector<Bounds> boxes;
   for (const Face& face : faces) boxes.push_back(bounds_of(face.polygon));
@@ -111,7 +119,7 @@ std::vector<Contact> contacts(std::span<const Face> faces, double touching) {
 ElementMesh cut_at_contacts(const ElementMesh& mesh) {
   ElementMesh cut{mesh.faces, {}, 0, {}};
   if (mesh.elements.empty()) return cut;
-  const double touching = kTouching * diagonal(mesh);
+  const double touching = touching_distance(mesh);
   cut.contacts = contacts(mesh.faces, touching);
   std::vector<std::vector<Segment>> segments(mesh.faces.size());
   for (const Contact& contact : cut.contacts) segments[contact.face].push_back(contact.segment);

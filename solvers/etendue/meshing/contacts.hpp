@@ -8,6 +8,16 @@
 
 namespace etendue {
 
+/// A corner that subdivision or a cut has made is off by some roundings of its coordinates: at most this share of the largest
+/// coordinate, 32 units of roundoff. It matters where a scene is farther from the origin than 256 of its diagonals.
+inline constexpr double kCornerRounding = 0x1p-48;
+
+/// Corners nearer than this are one, and what is nearer to a plane lies in it: kTouching of the diagonal, or kCornerRounding
+/// where that is more [length].
+///
+/// Contract  there is a face
+[[nodiscard]] double touching_distance(const ElementMesh& mesh);
+
 /// Where other faces touch or pierce the faces of a scene, in front of them: the lines at which light and shadow begin
 /// abruptly.                                                                                       @eq IU.6.5.1
 ///

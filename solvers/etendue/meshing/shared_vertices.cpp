@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "etendue/meshing/contacts.hpp"
+
 namespace etendue {
 
 namespace {
@@ -72,7 +74,7 @@ double median_side(const ElementMesh& mesh) {
 class Sharer {
  public:
   explicit Sharer(const ElementMesh& mesh)
-      : mesh_(mesh), touching_(kTouching * diagonal(mesh)), step_(median_side(mesh)), vertices_(step_) {
+      : mesh_(mesh), touching_(touching_distance(mesh)), step_(median_side(mesh)), vertices_(step_) {
     for (const Element& element : mesh.elements) {
       for (const Vec3& place : element.polygon.vertices()) vertices_.add(vertex(place, element));
     }

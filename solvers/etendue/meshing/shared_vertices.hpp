@@ -11,7 +11,7 @@ namespace etendue {
 ///
 /// Returns   the mesh with as many elements in the same order; polygons keep their place, area and normal up to rounding,
 ///           and their corners in order, new ones in between on straight sides
-/// Accuracy  a vertex lies on a side when it is within kTouching of it, as a share of the scene's diagonal
+/// Accuracy  a vertex lies on a side when it is within touching_distance() of it
 [[nodiscard]] ElementMesh with_shared_vertices(const ElementMesh& mesh);
 
 }  // namespace etendue

@@ -10,6 +10,8 @@
 #include <optional>
 #include <set>
 
+#include "etendue/meshing/contacts.hpp"
+
 namespace etendue {
 
 namespace {
@@ -71,7 +73,7 @@ struct Topology {
 };
 
 Topology weld(const ElementMesh& mesh, const std::vector<bool>& left_out) {
-  Welder welder(kTouching * diagonal(mesh));
+  Welder welder(touching_distance(mesh));
   Topology topology;
   topology.corners.resize(mesh.elements.size());
   for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
@@ -104,7 +106,7 @@ bool lies_on(const Vec3& point, const Segment& segment, double touching) {
 class Separation {
  public:
   Separation(const ElementMesh& mesh, Topology& topology)
-      : mesh_(mesh), topology_(topology), creases_(creases_of(mesh)), touching_(kTouching * diagonal(mesh)) {}
+      : mesh_(mesh), topology_(topology), creases_(creases_of(mesh)), touching_(touching_distance(mesh)) {}
 
   void apply() {
     for (std::size_t k = topology_.vertices.size(); k-- > 0;) separate(k);

@@ -36,7 +36,7 @@ struct VertexRadiosities {
 ///                    affine function nearest to the radiosities of all elements that share a vertex with them (least
 ///                    squares, weighted by area; along a row of elements, where g is not determined across it, 0 across)
 ///
-/// Elements of one plane and one material share the vertices that lie within kTouching of each other. A vertex is inner
+/// Elements of one plane and one material share the vertices that lie within touching_distance() of each other. A vertex is inner
 /// when each edge that ends in it belongs to two elements. The last rule treats the meshes without inner vertices, for
 /// which the text (its figure 58b) gives none: it needs no distinction of cases, each vertex has one value, so that the
 /// picture is continuous, and a single element keeps its own. Where there are contacts, elements that are joined at a vertex
@@ -45,8 +45,8 @@ struct VertexRadiosities {
 /// B.
 ///
 /// Contract  one radiosity an element; `covered` holds indices of elements
-/// Accuracy  a radiosity that is linear over a plane is reproduced, up to rounding, at every vertex of a parallelogram grid,
-///           and at every vertex that has neither inner vertices beside it nor all its elements in a row; of a row, what
+/// Accuracy  a radiosity that is linear over a plane is reproduced, up to rounding, at every vertex of a parallelogram grid
+///           of two or more rows and columns, and at every vertex that has neither inner vertices beside it nor all its elements in a row; of a row, what
 ///           changes along it
 [[nodiscard]] VertexRadiosities vertex_radiosities(const ElementMesh& mesh, const std::vector<Rgb>& radiosity,
                                                    const std::vector<std::size_t>& covered = {});
