@@ -30,6 +30,7 @@ namespace fs = std::filesystem;
 constexpr const char* kName = "solve";
 
 struct Request : SolutionRequest {
+  SensorRequest sensors;
   std::string method = "full";
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
@@ -103,6 +104,7 @@ void declare(Options& options, Request& request) {
                "relative half width asked of enclosures past obstructions (default: 0.02), work allowing",
                request.certified, 1e-9, 1);
   add_meshing(options, request);
+  add_sensors(options, request.sensors);
   add_results(options, request);
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
@@ -152,6 +154,54 @@ void certify(SolveReport& report, const Request& request, std::ostream& err) {
   }
 }
 
+/// From the scene of the report to its radiosities; when stopped, there is no solution.
+Result<Done> solve_scene(SolveReport& report, const Request& request, std::ostream& err) {
+  if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
+  auto mesh = mesh_elements(report.file.scene);
+  if (!mesh) return mesh.error();
+  report.mesh = std::move(mesh).value();
+  if (const auto apart = check_overlaps(report.file.scene, report.mesh); !apart) return apart.error();
+  // Again: the mesh itself has taken of the memory.
+  if (const auto room = check_room(request, report.mesh.elements.size()); !room) return room.error();
+  if (report.sensors) {
+    const auto free = check_sensors(report.file.scene, FinalGather(report.mesh), report.sensors->sensors);
+    if (!free) return free.error();
+  }
+  {
+    Progress progress(err, "form factors", request.common);
+    report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));
+  }
+  if (!report.matrix.complete) return Done{};
+  report.closure = closure_report(report.mesh, report.matrix);
+  Progress progress(err, "solve", request.common);
+  auto solution = solve_scene_radiosity(report.file.scene, report.mesh, report.matrix, goal(request),
+                                        execution(request.common, progress));
+  if (!solution) return solution.error();
+  report.solution = std::move(solution).value();
+  return Done{};
+}
+
+/// Measures at the sensors, if there are some; ErrorCode::stopped when the user asked for it meanwhile.
+Result<Done> add_readings(SolveReport& report, const Request& request, std::ostream& err) {
+  if (!report.sensors) return Done{};
+  SensorReport sensors = std::move(*report.sensors);
+  report.sensors.reset();
+  const SolveAgain again = [&](Scene scene) -> Result<SolveReport> {
+    SolveReport coarse;
+    coarse.file.scene = std::move(scene);
+    coarse.tolerance = report.tolerance;
+    if (const auto done = solve_scene(coarse, request, err); !done) return done.error();
+    if (!is_solved(coarse)) return Error{ErrorCode::stopped, "stopped in the coarser mesh"};
+    return coarse;
+  };
+  Progress progress(err, "sensors", request.common);
+  auto found = measured(report, std::move(sensors), request.sensors.extrapolate ? again : SolveAgain{},
+                        execution(request.common, progress));
+  if (!found) return found.error();
+  report.sensors = std::move(found).value();
+  return Done{};
+}
+
 /// Everything up to the radiosities; when stopped, the report has no solution.
 Result<SolveReport> solved(const Request& request, std::ostream& err) {
   SolveReport report;
@@ -163,24 +213,12 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
   report.element_size = request.element_size;
   report.certify_tolerance = request.certified;
   report.tolerance.obstructed = {request.tolerance, request.tolerance * kAbsoluteShare};
-  if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
-  auto mesh = mesh_elements(report.file.scene);
-  if (!mesh) return mesh.error();
-  report.mesh = std::move(mesh).value();
-  if (const auto apart = check_overlaps(report.file.scene, report.mesh); !apart) return apart.error();
-  // Again: the mesh itself has taken of the memory.
-  if (const auto room = check_room(request, report.mesh.elements.size()); !room) return room.error();
-  {
-    Progress progress(err, "form factors", request.common);
-    report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));
+  if (request.sensors.asked()) {
+    auto sensors = opened_sensors(request.sensors, report.file, solution_path(request, ".sensors.csv"));
+    if (!sensors) return sensors.error();
+    report.sensors = std::move(sensors).value();
   }
-  if (!report.matrix.complete) return report;
-  report.closure = closure_report(report.mesh, report.matrix);
-  Progress progress(err, "solve", request.common);
-  auto solution = solve_scene_radiosity(report.file.scene, report.mesh, report.matrix, goal(request),
-                                        execution(request.common, progress));
-  if (!solution) return solution.error();
-  report.solution = std::move(solution).value();
+  if (const auto done = solve_scene(report, request, err); !done) return done.error();
   if (request.certify && is_solved(report)) certify(report, request, err);
   return report;
 }
@@ -221,6 +259,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   Options options(kName, "Solve the radiosity equation of a scene, and show the result.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
+  if (const auto wrong = contradiction(request.sensors)) return options.usage_error(err, *wrong);
   if (request.solver == "eigen") request.solver = "lu";
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);
@@ -228,13 +267,23 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   SolveReport report = std::move(outcome).value();
   tell_left_out(err, request, report.file.scene);
   const ElementMesh shown = is_solved(report) ? prepare_view(report, request) : ElementMesh{};
+  std::optional<Error> lost;
+  if (is_solved(report)) {
+    const auto read = add_readings(report, request, err);
+    if (!read && read.error().code != ErrorCode::stopped) return fail(err, kName, read.error());
+    if (!read) lost = read.error();
+  }
   report.json = solution_path(request, is_solved(report) ? ".json" : ".incomplete.json");
   // Before the pictures: nothing that happens to them takes the radiosities away.
   if (const auto written = write_file(report.json, full_json(report)); !written) {
     return fail(err, kName, written.error());
   }
-  std::optional<Error> lost;
-  if (is_solved(report)) {
+  if (report.sensors && is_solved(report)) {
+    const SensorReport& sensors = *report.sensors;
+    const auto written = write_file(sensors.csv, sensors_csv(sensors.sensors, sensors.results, sensors.efficacy));
+    if (!written) return fail(err, kName, written.error());
+  }
+  if (is_solved(report) && !lost) {
     if (!request.written.empty()) {
       if (const auto written = write_solutions(request.written, surfaces(report, shown)); !written) {
         return fail(err, kName, written.error());
@@ -251,7 +300,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   } else if (!request.common.quiet) {
     print_summary(out, report);
   }
-  if (lost) return stopped(err, "there are no pictures; the radiosities are in " + quoted_path(report.json));
+  if (lost) return stopped(err, "sensors or pictures are missing; the radiosities are in " + quoted_path(report.json));
   if (is_solved(report)) return judged(report, request, err);
   return stopped(err, "what was done is in " + quoted_path(report.json));
 }

@@ -114,7 +114,7 @@ void print_certified(std::ostream& out, const SolveReport& report) {
 }
 
 /// What the scene and the settings determine: nothing that differs between two runs.
-Json summary(const SolveReport& report) {
+Json summary(const SolveReport& report, bool all_sensors) {
   const FormFactorMatrix& matrix = report.matrix;
   Json json;
   json["program"] = std::string("etendue ") + version();
@@ -150,6 +150,7 @@ Json summary(const SolveReport& report) {
   }
   if (report.certified) json["certified"] = certified_json(report);
   if (!is_solved(report)) return json;
+  if (report.sensors) json["sensors"] = sensors_json(*report.sensors, all_sensors);
   json["vertices"] = {{"distinct", report.vertices.vertices},
                       {"clamped", report.vertices.clamped},
                       {"without_inner_neighbour", report.vertices.without_interior}};
@@ -258,14 +259,15 @@ std::string wide_enclosures_text(const SolveReport& report) {
 }
 
 std::string summary_json(const SolveReport& report) {
-  Json json = summary(report);
+  Json json = summary(report, false);
   json["files"] = files_json(report.scene_path, report);
+  if (report.sensors) json["files"]["sensors"] = report.sensors->csv.string();
   json["seconds"] = report.seconds;
   return dumped(json) + "\n";
 }
 
 std::string full_json(const SolveReport& report) {
-  Json json = summary(report);
+  Json json = summary(report, true);
   json["elements"] = Json::array();
   for (std::size_t k = 0; k < report.mesh.elements.size(); ++k) json["elements"].push_back(element_json(report, k));
   const std::string text = dumped(json) + "\n";
@@ -309,11 +311,13 @@ void print_summary(std::ostream& out, const SolveReport& report) {
     return;
   }
   print_certified(out, report);
+  if (report.sensors) print_sensors(out, *report.sensors);
   out << "vertices     " << report.vertices.vertices << "; " << report.vertices.clamped
       << " negative extrapolations set to 0\n"
       << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n"
       << "time         " << rounded(report.seconds) << " s\n";
   print_files(out, report);
+  if (report.sensors) out << printable(report.sensors->csv.string()) << '\n';
 }
 
 }  // namespace etendue::cli

@@ -12,6 +12,7 @@
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
 #include "solve_parts.hpp"
+#include "solve_sensors.hpp"
 
 namespace etendue::cli {
 
@@ -28,8 +29,9 @@ struct SolveReport : SolutionFiles {
   std::optional<SceneRadiosity> solution;     ///< nothing when stopped before; of some channels when stopped on the way
   std::optional<CertifiedFactors> certified;  ///< asked for by --certify
   std::optional<CertifiedRadiosity> enclosure;
-  std::string not_certified;     ///< why there is none although it was asked for
-  double certify_tolerance = 0;  ///< relative half width asked of enclosures past obstructions
+  std::string not_certified;            ///< why there is none although it was asked for
+  double certify_tolerance = 0;         ///< relative half width asked of enclosures past obstructions
+  std::optional<SensorReport> sensors;  ///< asked for by --sensors, and measured
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;

@@ -109,7 +109,9 @@ TEST(PointToPolygon, RefusesPointsThatAreNotFinite) {
   const Polygon square = rectangle({-0.5, -0.5, 1}, {0, 1, 0}, {1, 0, 0});
   for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_TRUE(refuses([&] { static_cast<void>(point_to_polygon({0, bad, 0}, Vec3::UnitZ(), square)); }));
-    EXPECT_TRUE(refuses([&] { static_cast<void>(visible_point_to_polygon({0, bad, 0}, Vec3::UnitZ(), square, {})); }));
+    EXPECT_TRUE(refuses([&] {
+      static_cast<void>(visible_point_to_polygon({0, bad, 0}, Vec3::UnitZ(), square, std::span<const Polygon>{}));
+    }));
   }
 }
 

@@ -128,10 +128,15 @@ ObstructedFormFactor obstructed_form_factor(const Polygon& from, const Polygon& 
 
 Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon,
                                  std::span<const Polygon> plates) {
-  const Bounded free = point_to_polygon(point, normal, polygon);
-  if (free.value == 0) return free;
   const Plates blockers(plates, BlockingSides::both);
-  const SightSpace space = sight_space(point, normal.normalized(), polygon, blockers.pointers);
+  return visible_point_to_polygon(point, normal, polygon, blockers.pointers);
+}
+
+Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon,
+                                 std::span<const Blocker* const> blockers) {
+  const Bounded free = point_to_polygon(point, normal, polygon);
+  if (free.value == 0 || blockers.empty()) return free;
+  const SightSpace space = sight_space(point, normal.normalized(), polygon, blockers);
   ShadowView view(space.receiver, space.zones.front().outlines);
   const ShadowView::Seen seen = view.from(Vec2::Zero(), ShadowView::Want::both_bounded);
   // What no outline touches keeps the digits of the free factor.

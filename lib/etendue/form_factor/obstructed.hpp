@@ -70,4 +70,10 @@ inline constexpr double kFreeShare = 0.1;
 [[nodiscard]] Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon,
                                                std::span<const Polygon> plates);
 
+/// The same past any blockers.
+///
+/// Domain    the point inside of no solid; on one's face it looks out, and the solid hides nothing
+[[nodiscard]] Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Polygon& polygon,
+                                               std::span<const Blocker* const> blockers);
+
 }  // namespace etendue

@@ -332,7 +332,8 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
 
 SightSpace sight_space(const Vec3& point, const Vec3& normal, const Polygon& to,
                        std::span<const Blocker* const> blockers) {
-  const Frame frame{normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal()), normal, point, 1};
+  const PointFrame own = frame_of(point, normal);
+  const Frame frame{own.x, own.y, own.z, own.origin, 1};
   const Outline receiver = frame.placed(to.vertices());
   const FramePlane horizon{Vec3::UnitZ(), Vec3::Zero(), 0};
   const FramePlane receiver_plane{frame.turned(to.normal()), receiver[0], 0};
@@ -349,6 +350,26 @@ SightSpace sight_space(const Vec3& point, const Vec3& normal, const Polygon& to,
   }
   space.zones.push_back(Zoning(std::move(placed), horizon, receiver_plane).zone({Vec2::Zero()}));
   return space;
+}
+
+PointFrame frame_of(const Vec3& point, const Vec3& normal) {
+  return {normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal()), normal, point};
+}
+
+std::vector<std::vector<Outline>> point_outlines(const PointFrame& own, std::span<const Blocker* const> blockers) {
+  const Frame frame{own.x, own.y, own.z, own.origin, 1};
+  const FramePlane horizon{Vec3::UnitZ(), Vec3::Zero(), 0};
+  std::vector<std::vector<Outline>> found;
+  for (const Blocker* blocker : blockers) {
+    Placed placed{blocker, frame.placed(blocker->points())};
+    const Place where = place(placed.points, horizon, horizon);
+    found.emplace_back();
+    if (where == Place::behind) continue;
+    placed.in_front = where == Place::in_front;
+    find_planes(placed);
+    found.back() = Zoning({std::move(placed)}, horizon, horizon).zone({Vec2::Zero()}).outlines;
+  }
+  return found;
 }
 
 }  // namespace etendue

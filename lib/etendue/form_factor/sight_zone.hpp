@@ -43,4 +43,19 @@ struct SightSpace {
 [[nodiscard]] SightSpace sight_space(const Vec3& point, const Vec3& normal, const Polygon& to,
                                      std::span<const Blocker* const> blockers);
 
+/// The frame of a point with a unit normal: itself the origin, the normal along z.
+struct PointFrame {
+  Vec3 x, y, z;
+  Vec3 origin;
+  Vec3 placed(const Vec3& p) const { return {x.dot(p - origin), y.dot(p - origin), z.dot(p - origin)}; }
+};
+[[nodiscard]] PointFrame frame_of(const Vec3& point, const Vec3& normal);
+
+/// The outlines of each blocker above the point's horizon, in its frame: for receivers beyond all of the blocker, whose
+/// planes need not be known.
+///
+/// Domain    the point inside of no solid
+[[nodiscard]] std::vector<std::vector<Outline>> point_outlines(const PointFrame& frame,
+                                                               std::span<const Blocker* const> blockers);
+
 }  // namespace etendue

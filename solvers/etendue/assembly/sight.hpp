@@ -50,6 +50,13 @@ class SightMap {
   /// coordinate.
   double slack() const { return slack_; }
 
+  /// A solid that stands in the way of some elements, and the faces that bound it.
+  struct Solid {
+    const Blocker* blocker;          ///< lives in the SightMap
+    std::vector<std::size_t> faces;  ///< indices into ElementMesh::faces
+  };
+  [[nodiscard]] std::vector<Solid> solids() const;
+
  private:
   struct Bounds {
     Vec3 low, high;

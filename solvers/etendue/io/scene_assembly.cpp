@@ -209,6 +209,7 @@ class Assembly {
       return counts ? read_two(*counts, "integers", kMostElementsAlong) : std::pair(1, 1);
     };
     const auto elements = read(elements_node), patches = read(patches_node);
+    if (const auto grading = node.member("grading")) subdivision.grading = grading->number(kFraction).value_or(0);
     if (!elements || !patches) return subdivision;
     if (static_cast<long>(elements->first) * elements->second > kMostElements) {
       elements_node->complain("found more than " + std::to_string(kMostElements) + " elements, expected fewer");

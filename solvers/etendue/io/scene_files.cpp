@@ -82,9 +82,7 @@ class Loader {
     if (const auto format = top.member("format")) (void)format->choice({"etendue-scene"});  // reported there
     if (const auto version = top.member("version")) (void)version->integer(1, 1);
     if (const auto node = top.member("unit")) {
-      const auto name = node->choice(unit_names());
-      const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return name == u.name; });
-      if (unit != kUnits.end()) file.metres_per_unit = unit->metres;
+      if (const auto metres = read_unit(*node)) file.metres_per_unit = *metres;
     }
     if (const auto include = top.member("include")) read_includes(*include, path);
     return true;
@@ -123,6 +121,12 @@ class Loader {
 };
 
 }  // namespace
+
+std::optional<double> read_unit(const SceneNode& node) {
+  const auto name = node.choice(unit_names());
+  const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return name == u.name; });
+  return unit == kUnits.end() ? std::nullopt : std::optional(unit->metres);
+}
 
 Result<LoadedFiles> load_scene_files(const fs::path& path, SceneErrors& errors) {
   Loader loader(errors);

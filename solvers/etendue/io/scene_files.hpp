@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "etendue/core/result.hpp"
@@ -30,5 +31,8 @@ struct LoadedFiles {
 /// repeated keys, unknown keys at the top, format, version, unit, missing files, cycles.
 /// Errors    input_output: the first file cannot be read.
 [[nodiscard]] Result<LoadedFiles> load_scene_files(const std::filesystem::path& path, SceneErrors& errors);
+
+/// Metres in the unit that this names; reported where it names none.
+[[nodiscard]] std::optional<double> read_unit(const SceneNode& node);
 
 }  // namespace etendue

@@ -9,6 +9,7 @@
 
 #include "etendue/meshing/contacts.hpp"
 #include "etendue/meshing/division.hpp"
+#include "etendue/meshing/grading.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -125,8 +126,8 @@ struct Builder {
 
   // A corner of the grid: the same expression for all cells that meet there, so that they share it to the last bit.
   static Vec3 corner(const Quadrilateral& v, const Subdivision& division, int a, int b) {
-    const double s = static_cast<double>(a) / division.elements[0];
-    const double t = static_cast<double>(b) / division.elements[1];
+    const double s = division_line(a, division.elements[0], division.grading);
+    const double t = division_line(b, division.elements[1], division.grading);
     return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
   }
 

@@ -67,6 +67,8 @@ enum class CurvedObjects { refused, left_out };
 ///
 /// as division_of() counts them. With Scene::align_mesh they are then cut_at_contacts().
 ///
+/// with s and t from division_line() where the object has a grading.
+///
 /// Domain    polygons, triangles, meshes (an element a triangle), boxes (six faces, seen from outside). Every object
 ///           takes part, whatever its reflectance: a black wall still closes the room
 /// Returns   faces, elements and patches; neighbouring elements of a face share their corners to the last bit, but where

@@ -63,6 +63,7 @@ struct Subdivision {
   int elements[2] = {1, 1};
   int patches[2] = {1, 1};
   double element_size = 0;  ///< where above 0: no side of an element is longer [length], whatever `elements` says
+  double grading = 0;       ///< in [0, 1]: how much denser the elements lie towards the edges (division_line())
 };
 
 /// A shape in world coordinates (transforms are applied by the reader) and what it is made of.
