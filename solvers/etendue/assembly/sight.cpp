@@ -205,14 +205,6 @@ void SightMap::add_body(std::span<const std::size_t> faces, Blocker blocker) {
   bodies_.push_back(std::move(body));
 }
 
-std::vector<SightMap::Solid> SightMap::solids() const {
-  std::vector<Solid> result;
-  for (const Body& body : bodies_) {
-    if (blockers_[body.blocker].is_solid()) result.push_back({&blockers_[body.blocker], body.planes});
-  }
-  return result;
-}
-
 SightLine SightMap::between(std::size_t first, std::size_t second) const {
   return look(first, second, all_bodies_);
 }

@@ -55,7 +55,13 @@ class SightMap {
     const Blocker* blocker;          ///< lives in the SightMap
     std::vector<std::size_t> faces;  ///< indices into ElementMesh::faces
   };
-  [[nodiscard]] std::vector<Solid> solids() const;
+  [[nodiscard]] std::vector<Solid> solids() const {
+    std::vector<Solid> result;
+    for (const Body& body : bodies_) {
+      if (blockers_[body.blocker].is_solid()) result.push_back({&blockers_[body.blocker], body.planes});
+    }
+    return result;
+  }
 
  private:
   struct Bounds {

@@ -13,7 +13,8 @@ using Keys = std::vector<std::string>;
 
 /// A shape: what every shape has, and its own keys.
 KeySet shape(const char* type, const Keys& mandatory, const Keys& optional = {}) {
-  KeySet set{type, {"type", "material"}, {"comment", "name", "transform", "elements", "element_size", "grading", "patches"}};
+  KeySet set{
+      type, {"type", "material"}, {"comment", "name", "transform", "elements", "element_size", "grading", "patches"}};
   set.mandatory.insert(set.mandatory.end(), mandatory.begin(), mandatory.end());
   set.optional.insert(set.optional.end(), optional.begin(), optional.end());
   return set;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "etendue/core/floating_point.hpp"
@@ -16,8 +17,8 @@ namespace etendue {
 /// Symbols   g grading in [0, 1]: 0 even; 1 as Chebyshev's points lie, outermost parts some 2.5/count² wide
 /// Returns   exactly 0 and 1 at the ends, growing in between. A function of k/count alone: every other line of twice as many
 ///           is a line
-[[nodiscard]] inline double division_line(int k, int count, double grading) {
-  const double u = static_cast<double>(k) / count;
+[[nodiscard]] inline double division_line(std::int64_t k, std::int64_t count, double grading) {
+  const double u = static_cast<double>(k) / static_cast<double>(count);
   if (grading == 0 || k == 0 || k == count) return u;
   return (1 - grading) * u + grading * (0.5 - 0.5 * std::cos(std::numbers::pi * u));
 }

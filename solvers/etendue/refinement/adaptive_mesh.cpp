@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "etendue/meshing/division.hpp"
+#include "etendue/meshing/grading.hpp"
 
 namespace etendue {
 
@@ -98,8 +99,8 @@ void keep_balanced(const AdaptiveMesh& mesh, std::vector<bool>& which) {
 // A corner of the grid: the same expression for all cells that meet there. s is a quotient of whole numbers, so that
 // halving changes no bit of it; the rest is as in mesh_elements().
 Vec3 corner(const std::vector<Vec3>& v, const AdaptiveMesh::Grid& grid, int level, std::int64_t a, std::int64_t b) {
-  const double s = static_cast<double>(a) / static_cast<double>(std::int64_t{grid.columns} << level);
-  const double t = static_cast<double>(b) / static_cast<double>(std::int64_t{grid.rows} << level);
+  const double s = division_line(a, std::int64_t{grid.columns} << level, grid.grading);
+  const double t = division_line(b, std::int64_t{grid.rows} << level, grid.grading);
   return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
 }
 
@@ -108,8 +109,9 @@ Vec3 corner(const std::vector<Vec3>& v, const AdaptiveMesh::Grid& grid, int leve
 AdaptiveMesh adaptive_mesh(const Scene& scene, const ElementMesh& mesh) {
   AdaptiveMesh adaptive{mesh.faces, {}, {}, mesh.patches, {}, mesh.contacts};
   for (const Face& face : mesh.faces) {
-    const auto [columns, rows] = division_of(scene.objects[face.object].subdivision, face.polygon).elements;
-    adaptive.grids.push_back({columns, rows, face.polygon.vertices().size() == 4});
+    const Subdivision& asked = scene.objects[face.object].subdivision;
+    const auto [columns, rows] = division_of(asked, face.polygon).elements;
+    adaptive.grids.push_back({columns, rows, face.polygon.vertices().size() == 4, asked.grading});
   }
   for (const Element& element : mesh.elements) {
     if (element.cell == kNoCell) {

@@ -32,6 +32,7 @@ struct AdaptiveMesh {
   struct Grid {
     int columns = 1, rows = 1;
     bool divisible = false;
+    double grading = 0;  ///< Subdivision::grading
   };
   std::vector<Face> faces;
   std::vector<Grid> grids;      ///< one a face
