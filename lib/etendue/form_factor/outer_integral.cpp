@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/near_edges.hpp"
 
 namespace etendue {
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Point evaluations after which the integral is returned with the bound it has.
 constexpr int kMostEvaluations = 400000;
+/// Of what is asked, the most that a strip beside a near edge may hold without being cut further.
+constexpr double kNegligible = 1.0 / 64;
 
 // A cell on which the integrand is analytic: NOTES.md §5 has the estimate, and how these numbers were measured.
 
@@ -113,7 +116,7 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   }
   double source = 0;
   for (const SightZone& zone : space.zones) source += area_of(zone.corners);
-  for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z, kStrayShare * goal / source);
+  for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z, goal, kStrayShare * goal / source);
   // The smaller of the two integrals keeps the more digits; a look at the cells' centres decides.
   // A zone without outlines sees all.
   const auto open = [&](const Piece& piece) { return zones_[piece.zone].zone->outlines.empty(); };
@@ -144,12 +147,13 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   rounding_ = kRoundings * kUnitRoundoff * (area + reach * outline);
 }
 
-void OuterIntegral::add_zone(const SightSpace& space, std::size_t index, double allowed) {
+void OuterIntegral::add_zone(const SightSpace& space, std::size_t index, double goal, double allowed) {
   const SightZone& zone = space.zones[index];
   if (zone.dark) return;  // nothing is seen
   LoopSides sides(space.receiver, zone);
   const EventCurves curves(sides);
-  const std::vector<Cell> cells = cells_between(zone.corners, critical_lines(sides));
+  const NearEdges near(space.receiver, zone, kNegligible * goal);
+  const std::vector<Cell> cells = near.graded(cells_between(zone.corners, critical_lines(sides)));
   pieces_.reserve(pieces_.size() + cells.size());
   for (const Cell& cell : cells) {
     Piece piece;

@@ -63,7 +63,7 @@ class OuterIntegral {
     double error = 0;
   };
 
-  void add_zone(const SightSpace& space, std::size_t zone, double allowed);
+  void add_zone(const SightSpace& space, std::size_t zone, double goal, double allowed);
   /// Cuts a piece along its curves, or halves it, `steps` times at most, and adds the parts.
   /// A piece needs no cut whose stray is below its share of `allowed`, by area.
   static void divide(Piece piece, int steps, double allowed, std::vector<Piece>& parts);
