@@ -119,17 +119,44 @@ ObstructedPair cornered(Numbers& random) {
   return pair;
 }
 
+/// Two rectangles that share an edge, and a partition that stands on the one and nearly touches the other.
+ObstructedPair gapped(Numbers& random) {
+  ObstructedPair pair;
+  pair.from = parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  pair.to = parallelogram({0, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  const double at = random.in(0.2, 0.8), gap = std::pow(10.0, random.in(-5, -2));
+  const double slant = random.unit() < 0.5 ? gap : 0;
+  const double width = random.in(0.2, 1), height = random.in(0.2, 1);
+  const double foot = slant > 0 ? 0 : gap;
+  pair.plates.push_back({{foot, at, 0}, {width, at, 0}, {width, at, height}, {foot + slant, at, height}});
+  return pair;
+}
+
+/// Two plates that leave a corner open each, and a triangle between them.
+ObstructedPair stacked(Numbers& random) {
+  ObstructedPair pair;
+  pair.from = parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  pair.to = parallelogram({0, 0, 1}, {0, 1, 0.3}, {1, 0, 0});
+  const double edge = random.in(0.3, 0.7), tip = random.in(-0.99, -0.8);
+  pair.plates.push_back(parallelogram({-5, -5, 0.3}, {10, 0, 0}, {0, 5 + edge, 0}));
+  pair.plates.push_back(parallelogram({-5, -5, 0.6}, {5 + edge, 0, 0}, {0, 10, 0}));
+  pair.plates.push_back({{-3, 2, 0.5}, {3, tip, 0.45}, {3, 4, 0.46}});
+  return pair;
+}
+
 }  // namespace
 
 std::string_view name(PairFamily family) {
-  constexpr std::array<std::string_view, 7> kNames{"floating", "on_an_edge", "on_a_vertex", "hugging",
-                                                   "tiny",     "standing",   "cornered"};
+  constexpr std::array<std::string_view, 9> kNames{"floating", "on_an_edge", "on_a_vertex", "hugging", "tiny",
+                                                   "standing", "cornered",   "gapped",      "stacked"};
   return kNames[static_cast<std::size_t>(family)];
 }
 
 ObstructedPair obstructed_pair(PairFamily family, int index) {
   Numbers random(1000003u * (1 + static_cast<std::uint64_t>(family)) + static_cast<std::uint64_t>(index));
   if (family == PairFamily::cornered) return cornered(random);
+  if (family == PairFamily::gapped) return gapped(random);
+  if (family == PairFamily::stacked) return stacked(random);
   ObstructedPair pair;
   const double distance = random.in(0.3, 2), size = random.in(0.3, 1.5);
   pair.from = parallelogram({0, 0, 0}, {1, 0, 0}, {random.in(-0.3, 0.3), random.in(0.5, 1.5), 0});

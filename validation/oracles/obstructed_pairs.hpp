@@ -9,16 +9,18 @@
 namespace etendue::oracle {
 
 /// Families of random pairs with plates in between. In the first five a pair has one to three plates, one of which is
-/// what the name says; the last two have one plate that touches a surface.
-enum class PairFamily { floating, on_an_edge, on_a_vertex, hugging, tiny, standing, cornered };
-inline constexpr std::array<PairFamily, 7> kPairFamilies{
-    PairFamily::floating, PairFamily::on_an_edge, PairFamily::on_a_vertex, PairFamily::hugging,
-    PairFamily::tiny,     PairFamily::standing,   PairFamily::cornered};
+/// what the name says; the next three have one plate that touches a surface, the last one three that hide nearly all.
+enum class PairFamily { floating, on_an_edge, on_a_vertex, hugging, tiny, standing, cornered, gapped, stacked };
+inline constexpr std::array<PairFamily, 9> kPairFamilies{
+    PairFamily::floating, PairFamily::on_an_edge, PairFamily::on_a_vertex, PairFamily::hugging, PairFamily::tiny,
+    PairFamily::standing, PairFamily::cornered,   PairFamily::gapped,      PairFamily::stacked};
 [[nodiscard]] std::string_view name(PairFamily family);
 
-/// How many of a family the table holds: 1,000 in the first five, 1,000 in the last two.
+/// How many of a family the table holds: 1,000 in the first five, 1,100 that touch a surface, 60 in the last.
 inline constexpr int kMostPairs = 500;
 constexpr int pairs_in(PairFamily family) {
+  if (family == PairFamily::gapped) return 100;
+  if (family == PairFamily::stacked) return 60;
   return family == PairFamily::standing || family == PairFamily::cornered ? kMostPairs : 200;
 }
 
@@ -31,6 +33,8 @@ constexpr int pairs_in(PairFamily family) {
 ///     tiny         of size 10^-3
 ///     standing     a partition stands on one of the two, its foot inside, across the border, or along an edge
 ///     cornered     a partition shares an edge with one of two polygons that themselves meet in an edge
+///     gapped       the same, but a gap of 10^-5 … 10^-2 or a slant of as much parts it from one of the two
+///     stacked      two plates across all of the way and a triangle between them: little is seen, along curves
 [[nodiscard]] ObstructedPair obstructed_pair(PairFamily family, int index);
 
 }  // namespace etendue::oracle
