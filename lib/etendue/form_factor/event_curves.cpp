@@ -95,8 +95,9 @@ double EventCurve::gap(double determinant, const Cell& cell) const {
   };
   for (int i = 0; i < cell.size(); ++i) note(cell[i]);
   note(cell.centre());
-  if (!(least > kSteady * most)) return std::numeric_limits<double>::infinity();
-  return cosine * determinant * determinant / (2 * std::numbers::pi * least);
+  // No factor exceeds 1.
+  if (!(least > kSteady * most)) return 1;
+  return std::min(1.0, cosine * determinant * determinant / (2 * std::numbers::pi * least));
 }
 
 double EventCurve::stray(const Cell& cell) const {

@@ -24,8 +24,8 @@ class EventCurve {
   /// False only where no line of sight from the cell meets all three, but for strips within kTouch of its outline: two of
   /// the edges do not cross one another in the view, or the curve's Bernstein coefficients have one sign.
   bool may_cross(const Cell& cell) const;
-  /// What the form seen from the cell's centre errs by beyond the curve, integrated over the cell; infinite where two of
-  /// the edges come near to covering one another.
+  /// What the form seen from the cell's centre errs by beyond the curve, integrated over the cell; its area where two of the
+  /// edges come near to covering one another.
   double stray(const Cell& cell) const;
   /// The same for a point where the determinant is this much: the factor of the triangle that the three edges leave.
   double gap(double determinant, const Cell& cell) const;

@@ -18,6 +18,8 @@ namespace {
 constexpr int kMostEvaluations = 400000;
 /// Of what is asked, the most that a strip beside a near edge may hold without being cut further.
 constexpr double kNegligible = 1.0 / 64;
+/// Of the free integral: strips are not made finer for less, where rounding and the work limit come first.
+constexpr double kLeastGoal = 1e-10;
 
 // A cell on which the integrand is analytic: NOTES.md §5 has the estimate, and how these numbers were measured.
 
@@ -116,7 +118,8 @@ OuterIntegral::OuterIntegral(const SightSpace& space, double free, double goal) 
   }
   double source = 0;
   for (const SightZone& zone : space.zones) source += area_of(zone.corners);
-  for (std::size_t z = 0; z < space.zones.size(); ++z) add_zone(space, z, goal, kStrayShare * goal / source);
+  for (std::size_t z = 0; z < space.zones.size(); ++z)
+    add_zone(space, z, std::max(goal, kLeastGoal * free), kStrayShare * goal / source);
   // The smaller of the two integrals keeps the more digits; a look at the cells' centres decides.
   // A zone without outlines sees all.
   const auto open = [&](const Piece& piece) { return zones_[piece.zone].zone->outlines.empty(); };
@@ -167,6 +170,10 @@ void OuterIntegral::add_zone(const SightSpace& space, std::size_t index, double 
 void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<Piece>& parts) {
   if (piece.cell.size() < 3 || !(piece.cell.area() > 0)) return;
   std::erase_if(piece.curves, [&](const EventCurve& curve) { return !curve.may_cross(piece.cell); });
+  // Beside a chord that is not its own a part has nothing to lose.
+  std::erase_if(piece.chords, [&](const CutChord& chord) { return !chord.curve.may_cross(piece.cell); });
+  piece.cut_stray = 0;
+  for (const CutChord& chord : piece.chords) piece.cut_stray += chord.lost;
   const double most = allowed * piece.cell.area();
   piece.stray = piece.cut_stray;
   for (const EventCurve& curve : piece.curves) piece.stray += curve.stray(piece.cell);
@@ -184,7 +191,7 @@ void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<P
   if (chord && chord->sag < kStraight && !worth_halving) {
     halves = piece.cell.cut(chord->normal, chord->level);
     piece.bend += chord->sag * chord->sag * chord->sag;
-    piece.cut_stray += lost;
+    piece.chords.push_back({curve, lost});
     piece.curves.pop_back();
   } else {
     const Vec2 across = piece.cell.longest();
@@ -279,7 +286,10 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
   const double spread = (fine.high - fine.low) * piece.cell.area();
   if (piece.formed) return;
-  piece.error = std::max(piece.error, piece.bend * spread);
+  // Where the nodes find less than may lie between a chord and its curve, they may have missed it.
+  constexpr double kSeen = 1e-3;
+  if (fine.high * piece.cell.area() > kSeen * piece.cut_stray) piece.cut_stray = 0;
+  piece.error = std::max({piece.error, piece.cut_stray, piece.bend * spread});
   if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * spread);
 }
 
@@ -307,19 +317,20 @@ void OuterIntegral::refine() {
   for (std::size_t i = 0; i < count && evaluations_ < kMostEvaluations; ++i) {
     Piece& piece = pieces_[i];
     if (piece.error + piece.stray <= share) continue;
-    if (piece.stray > kStrayShare * share && piece.curves.empty()) {
+    if (piece.formed && piece.stray > kStrayShare * share && piece.curves.empty()) {
       sample(piece);
       continue;
     }
-    if (piece.stray <= kStrayShare * share && piece.decay < 1) {
+    const bool keeps_chords = std::max(piece.stray, piece.cut_stray) <= kStrayShare * share;
+    if (keeps_chords && piece.decay < 1) {
       int nodes = piece.nodes + 1;
       while (nodes < kMostNodes && piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) > share) ++nodes;
       if (piece.error * std::pow(piece.decay, 2 * (nodes - piece.nodes)) <= share && nodes <= kMostNodes) {
         measure_analytic(piece, nodes);
         continue;
       }
-    } else if (piece.stray <= kStrayShare * share && (piece.formed || piece.curves.empty()) &&
-               piece.error < kSmooth * piece.value && piece.nodes < kLadder.back()) {
+    } else if (keeps_chords && (piece.formed || piece.curves.empty()) && piece.error < kSmooth * piece.value &&
+               piece.nodes < kLadder.back()) {
       measure_any(piece, false);
       continue;
     }
@@ -348,7 +359,13 @@ void OuterIntegral::halve(std::size_t index, double share) {
   Piece whole = pieces_[index];
   std::vector<Piece> parts;
   const double allowed = kStrayShare * share / whole.cell.area();
-  if (!whole.curves.empty() && !(whole.told && whole.stray <= kStrayShare * share)) {
+  if (whole.cut_stray > kStrayShare * share) {
+    // Cut along chords for a looser goal than there is now: from the curves again, whose chords are shorter then.
+    for (const CutChord& chord : whole.chords) whole.curves.push_back(chord.curve);
+    whole.chords.clear();
+    whole.bend = 0;
+    divide(std::move(whole), kMostSteps, allowed, parts);
+  } else if (!whole.curves.empty() && !(whole.told && whole.stray <= kStrayShare * share)) {
     divide(std::move(whole), 1, allowed, parts);
   } else {
     Vec2 across = whole.cell.longest();

@@ -42,6 +42,10 @@ class OuterIntegral {
     std::vector<Vec3> near;  ///< corners of all loops
     const SightZone* zone;
   };
+  struct CutChord {
+    EventCurve curve;
+    double lost;  ///< what the form errs by between the two
+  };
   struct Piece {
     Cell cell;
     std::size_t zone = 0;
@@ -50,6 +54,7 @@ class OuterIntegral {
     double decay = 1;  ///< by which coefficients fall from one degree to the next; 1 where that is not known
     double bend = 0;   ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
     std::vector<EventCurve> curves;  ///< that may cross the cell
+    std::vector<CutChord> chords;    ///< along which it was cut, of curves that may still cross it
     double cut_stray = 0;  ///< what the form errs by between curves and the chords that the cell was cut along
     double stray = 0;      ///< the same, and beyond the curves that cross it; nothing where no form is used
     bool told = true;      ///< that is little: the centre tells of all of the cell
@@ -73,8 +78,8 @@ class OuterIntegral {
   void measure(Piece& piece, double share);
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
-  void halve(std::size_t index, double share);
   void sample(Piece& piece);
+  void halve(std::size_t index, double share);
   double sum_of_errors() const;
   void note();
 
