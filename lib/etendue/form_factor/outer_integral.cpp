@@ -99,12 +99,9 @@ std::optional<Chord> chord_of(const EventCurve& curve, const Cell& cell) {
 }
 
 double area_of(std::span<const Vec2> corners) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-    const Vec2 a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
+  double area = 0;
+  for (const Cell& cell : Cell::from(corners)) area += cell.area();
+  return area;
 }
 
 }  // namespace
