@@ -133,6 +133,8 @@ TEST(Program, PrintsNothingThatCommandsATerminal) {
            {"render", named, "--columns=4", "--json", "--output", (folder.path() / (raw + ".png")).string()},
            {"render", named, "--columns=4", "--output", (folder.path() / (raw + ".png")).string()},
            {"solve", glowing, "--tolerance=1e-2", "--json", "--output", (folder.path() / "g.png").string()},
+           {"solve", glowing, "--method=progressive", "--resolution=64", "--json", "--output",
+            (folder.path() / "p.png").string()},
            {"solve", glowing, "--tolerance=1e-2", "--output", (folder.path() / (raw + ".png")).string()},
        }) {
     all.push_back(more);

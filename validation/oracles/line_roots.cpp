@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracles/line_roots.hpp"
+
+#include <acb.h>
+#include <arb_fmpz_poly.h>
+#include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz_poly_factor.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue::oracle {
+
+namespace {
+
+constexpr slong kBits = 240;
+
+/// A polynomial in the line's parameter with rational coefficients.
+class Polynomial {
+ public:
+  Polynomial(double constant = 0) : Polynomial(constant, 0) {}
+  /// a + b t
+  Polynomial(double a, double b) {
+    fmpq_poly_init(value_);
+    set(0, a);
+    set(1, b);
+  }
+  Polynomial(const Polynomial& other) {
+    fmpq_poly_init(value_);
+    fmpq_poly_set(value_, other.value_);
+  }
+  Polynomial& operator=(const Polynomial& other) {
+    fmpq_poly_set(value_, other.value_);
+    return *this;
+  }
+  ~Polynomial() { fmpq_poly_clear(value_); }
+
+  friend Polynomial operator+(const Polynomial& a, const Polynomial& b) { return made(fmpq_poly_add, a, b); }
+  friend Polynomial operator-(const Polynomial& a, const Polynomial& b) { return made(fmpq_poly_sub, a, b); }
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b) { return made(fmpq_poly_mul, a, b); }
+
+  const fmpq_poly_struct* get() const { return value_; }
+
+ private:
+  void set(slong power, double coefficient) {
+    if (coefficient == 0) return;
+    int exponent = 0;
+    const double digits = std::ldexp(std::frexp(coefficient, &exponent), 53);
+    fmpq_t q;
+    fmpq_init(q);
+    fmpz_set_d(fmpq_numref(q), digits);
+    exponent -= 53;
+    if (exponent >= 0) {
+      fmpz_mul_2exp(fmpq_numref(q), fmpq_numref(q), static_cast<ulong>(exponent));
+    } else {
+      fmpz_one(fmpq_denref(q));
+      fmpz_mul_2exp(fmpq_denref(q), fmpq_denref(q), static_cast<ulong>(-exponent));
+    }
+    fmpq_canonicalise(q);
+    fmpq_poly_set_coeff_fmpq(value_, power, q);
+    fmpq_clear(q);
+  }
+  template <class Function>
+  static Polynomial made(Function function, const Polynomial& a, const Polynomial& b) {
+    Polynomial r;
+    function(r.value_, a.value_, b.value_);
+    return r;
+  }
+  fmpq_poly_t value_;
+};
+
+using Line = std::array<Polynomial, 3>;
+
+/// Origin − from + t direction: the subtraction is exact, too.
+Line line_from(const Point& origin, const Point& direction, const Point& from) {
+  Line line;
+  for (std::size_t i = 0; i < 3; ++i) line[i] = Polynomial(origin[i], direction[i]) - Polynomial(from[i]);
+  return line;
+}
+
+Line constant(const Point& p) {
+  return {Polynomial(p[0]), Polynomial(p[1]), Polynomial(p[2])};
+}
+
+Polynomial dot(const Line& a, const Line& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Wide wide(const arb_t x) {
+  arf_t rest;
+  arf_init(rest);
+  Wide result;
+  result.high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  arf_set_d(rest, result.high);
+  arf_sub(rest, arb_midref(x), rest, kBits, ARF_RND_NEAR);
+  result.low = arf_get_d(rest, ARF_RND_NEAR);
+  arf_clear(rest);
+  return result;
+}
+
+void add_real_roots(const fmpz_poly_t p, std::vector<Wide>& roots) {
+  const slong degree = fmpz_poly_degree(p);
+  acb_ptr all = _acb_vec_init(degree);
+  arb_fmpz_poly_complex_roots(all, p, 0, kBits);
+  for (slong k = 0; k < degree; ++k) {
+    if (arb_is_zero(acb_imagref(all + k))) roots.push_back(wide(acb_realref(all + k)));
+  }
+  _acb_vec_clear(all, degree);
+}
+
+LineRoots roots_of(const Polynomial& f) {
+  LineRoots result;
+  fmpz_poly_t p;
+  fmpz_poly_init(p);
+  fmpq_poly_get_numerator(p, f.get());
+  if (fmpz_poly_degree(p) > 0) {
+    fmpz_poly_factor_t factors;
+    fmpz_poly_factor_init(factors);
+    fmpz_poly_factor_squarefree(factors, p);
+    for (slong k = 0; k < factors->num; ++k) {
+      const fmpz_poly_struct* factor = factors->p + k;
+      if (fmpz_poly_degree(factor) < 1) continue;
+      result.distinct += fmpz_poly_num_real_roots_sturm(factor);
+      if (factors->exp[k] % 2 == 1) add_real_roots(factor, result.changes);
+    }
+    fmpz_poly_factor_clear(factors);
+  }
+  fmpz_poly_clear(p);
+  std::sort(result.changes.begin(), result.changes.end(),
+            [](const Wide& a, const Wide& b) { return a.high < b.high || (a.high == b.high && a.low < b.low); });
+  return result;
+}
+
+}  // namespace
+
+LineRoots torus_roots(const Point& origin, const Point& direction, const Point& centre, const Point& axis, double ring,
+                      double tube) {
+  const Line x = line_from(origin, direction, centre), a = constant(axis);
+  const Polynomial square = dot(x, x), n2 = dot(a, a), height = dot(a, x), big(ring), small(tube);
+  const Polynomial sum = square + big * big - small * small;
+  return roots_of(sum * sum * n2 - Polynomial(4) * big * big * (square * n2 - height * height));
+}
+
+LineRoots cone_roots(const Point& origin, const Point& direction, const Point& base, const Point& top,
+                     double base_radius, double top_radius) {
+  const Line x = line_from(origin, direction, base);
+  Line a = constant(top);
+  for (std::size_t i = 0; i < 3; ++i) a[i] = a[i] - Polynomial(base[i]);
+  const Polynomial n2 = dot(a, a), height = dot(a, x), low(base_radius), high(top_radius);
+  const Polynomial radius = low * n2 + (high - low) * height;
+  return roots_of(n2 * (n2 * dot(x, x) - height * height) - radius * radius);
+}
+
+LineRoots quadric_roots(const Point& origin, const Point& direction, const Point& centre,
+                        const std::array<Point, 3>& square, const Point& linear, double k) {
+  const Line x = line_from(origin, direction, centre);
+  const Line qx = {dot(constant(square[0]), x), dot(constant(square[1]), x), dot(constant(square[2]), x)};
+  return roots_of(dot(x, qx) + Polynomial(2) * dot(constant(linear), x) + Polynomial(k));
+}
+
+}  // namespace etendue::oracle
