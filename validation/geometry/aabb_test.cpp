@@ -19,6 +19,9 @@ double shift(const Shape&, double) {
 double shift(const Triangle&, double distance) {
   return kTriangleShift * distance;
 }
+double shift(const Polygon&, double distance) {
+  return kTriangleShift * distance;
+}
 double shift(const Mesh&, double distance) {
   return kTriangleShift * distance;
 }
@@ -77,6 +80,17 @@ TEST(Aabb, NoHitIsOutsideOfItsBounds) {
     const auto polygon = Polygon::make({c, c + r * frame.col(0), c + r * (frame.col(0) + frame.col(1))});
     ASSERT_TRUE(polygon);
     compare(*polygon, c + r * frame.col(0), random, tally);
+    compare(Cone{c, c + n, r, 0.3 * r}, c + r * rim.normalized() * (1 - 0x1p-40), random, tally);
+    compare(Torus{c, 3 * n, 2 * r, r}, c + 2 * r * rim.normalized() + r * axis * (1 - 0x1p-40), random, tally);
+    Quadric ball;  // the sphere of radius r, cut by a box
+    ball.constant = -r * r;
+    ball.box = {c, frame, Vec3(r, r, r / 2)};
+    compare(ball, c + frame * Vec3(r * 0.8, r * 0.6, 0), random, tally);
+    BezierSurface surface;
+    for (auto& row : surface.control) {
+      for (Vec3& p : row) p = c + random.in_cube(r);
+    }
+    compare(surface, surface.control[0][3], random, tally);
   }
   EXPECT_GT(tally.hits, 20'000u);
   EXPECT_TRUE(all_agree(tally.missed_boxes + tally.points_outside, tally.hits));

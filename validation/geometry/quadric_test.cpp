@@ -45,7 +45,7 @@ TEST(Quadric, IsHitAsTheExactQuadraticSays) {
   Random random(831);
   std::uint64_t mismatches = 0, rays = 0, hits = 0, open = 0;
   double ulps = 0, point = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 10'000; ++i) {
     const Quadric quadric = random_quadric(random);
     const Vec3 target = quadric.box.centre + quadric.box.axes * quadric.box.half_edges.cwiseProduct(random.in_cube(1));
     Ray ray;

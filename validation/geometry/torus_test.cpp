@@ -51,7 +51,7 @@ TEST(Torus, IsHitAsTheExactQuarticSays) {
   Random random(811);
   std::uint64_t mismatches = 0, rays = 0, hits = 0, four = 0;
   double ulps = 0, point = 0, surface = 0;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 10'000; ++i) {
     const Torus torus = random_torus(random);
     const Ray ray = aimed_ray(random, torus, i);
     const oracle::LineRoots roots = roots_of(ray, torus);
@@ -90,7 +90,7 @@ TEST(Torus, CountsItsCrossingsAsSturmDoes) {
   uses_seed(812);
   Random random(812);
   std::uint64_t wrong = 0, lines = 0, counts[5] = {};
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 10'000; ++i) {
     const Torus torus = random_torus(random);
     Ray ray = aimed_ray(random, torus, i);
     const long truth = [&] {

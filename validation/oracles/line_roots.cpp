@@ -5,10 +5,14 @@
 #include <arb_fmpz_poly.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_poly.h>
+#include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_poly_factor.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "oracles/ball.hpp"
 
 namespace etendue::oracle {
 
@@ -109,6 +113,84 @@ void add_real_roots(const fmpz_poly_t p, std::vector<Wide>& roots) {
   _acb_vec_clear(all, degree);
 }
 
+/// A polynomial in u and v with integer coefficients, coefficient[i][j] of u^i v^j, up to degree 3 in each.
+struct Bicubic {
+  std::array<std::array<long, 4>, 4> coefficient{};
+};
+
+/// Power form of Σ B_i(u) B_j(v) c_ij: B_i = Σ_k m[i][k] t^k.
+Bicubic power_form(const std::array<std::array<long, 4>, 4>& c) {
+  constexpr long m[4][4] = {{1, -3, 3, -1}, {0, 3, -6, 3}, {0, 0, 3, -3}, {0, 0, 0, 1}};
+  Bicubic f;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t l = 0; l < 4; ++l) f.coefficient[k][l] += m[i][k] * m[j][l] * c[i][j];
+      }
+    }
+  }
+  return f;
+}
+
+/// Real zeros in [0, 1] of the resultant of f and g with respect to the other variable (0: u is left, 1: v).
+std::vector<BallAt<kBits>> shared_zeros(const Bicubic& f, const Bicubic& g, int left) {
+  fmpz_mpoly_ctx_t ring;
+  fmpz_mpoly_ctx_init(ring, 2, ORD_LEX);
+  fmpz_mpoly_t a, b, r;
+  for (auto* p : {a, b, r}) fmpz_mpoly_init(p, ring);
+  for (const auto& [p, from] : {std::pair{a, &f}, std::pair{b, &g}}) {
+    for (ulong i = 0; i < 4; ++i) {
+      for (ulong j = 0; j < 4; ++j) {
+        const ulong power[2] = {i, j};
+        fmpz_mpoly_set_coeff_si_ui(p, from->coefficient[i][j], power, ring);
+      }
+    }
+  }
+  fmpz_mpoly_resultant(r, a, b, 1 - left, ring);
+  fmpz_poly_t p;
+  fmpz_poly_init(p);
+  for (slong k = 0; k < fmpz_mpoly_length(r, ring); ++k) {
+    ulong power[2];
+    fmpz_t coefficient;
+    fmpz_init(coefficient);
+    fmpz_mpoly_get_term_exp_ui(power, r, k, ring);
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, r, k, ring);
+    fmpz_poly_set_coeff_fmpz(p, static_cast<slong>(power[left]), coefficient);
+    fmpz_clear(coefficient);
+  }
+  std::vector<BallAt<kBits>> zeros;
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  if (fmpz_poly_degree(p) > 0) fmpz_poly_factor_squarefree(factors, p);
+  for (slong k = 0; k < factors->num; ++k) {
+    const slong degree = fmpz_poly_degree(factors->p + k);
+    if (degree < 1) continue;
+    acb_ptr all = _acb_vec_init(degree);
+    arb_fmpz_poly_complex_roots(all, factors->p + k, 0, kBits);
+    for (slong i = 0; i < degree; ++i) {
+      BallAt<kBits> x;
+      arb_set(x.get(), acb_realref(all + i));
+      if (arb_is_zero(acb_imagref(all + i)) && x.midpoint() >= 0 && x.midpoint() <= 1) zeros.push_back(x);
+    }
+    _acb_vec_clear(all, degree);
+  }
+  fmpz_poly_factor_clear(factors);
+  fmpz_poly_clear(p);
+  for (auto* q : {a, b, r}) fmpz_mpoly_clear(q, ring);
+  fmpz_mpoly_ctx_clear(ring);
+  return zeros;
+}
+
+BallAt<kBits> value(const Bicubic& f, const BallAt<kBits>& u, const BallAt<kBits>& v) {
+  BallAt<kBits> sum;
+  for (std::size_t i = 4; i-- > 0;) {
+    BallAt<kBits> row;
+    for (std::size_t j = 4; j-- > 0;) row = row * v + BallAt<kBits>(static_cast<double>(f.coefficient[i][j]));
+    sum = sum * u + row;
+  }
+  return sum;
+}
+
 LineRoots roots_of(const Polynomial& f) {
   LineRoots result;
   fmpz_poly_t p;
@@ -157,6 +239,42 @@ LineRoots quadric_roots(const Point& origin, const Point& direction, const Point
   const Line x = line_from(origin, direction, centre);
   const Line qx = {dot(constant(square[0]), x), dot(constant(square[1]), x), dot(constant(square[2]), x)};
   return roots_of(dot(x, qx) + Polynomial(2) * dot(constant(linear), x) + Polynomial(k));
+}
+
+std::vector<SurfaceCrossing> bezier_crossings(const Point& origin, const Point& direction,
+                                              const std::array<std::array<Point, 4>, 4>& control) {
+  using Number = BallAt<kBits>;
+  using Whole = std::array<long, 3>;
+  const auto whole = [](const Point& p) { return Whole{std::lround(p[0]), std::lround(p[1]), std::lround(p[2])}; };
+  const auto cross = [](const Whole& a, const Whole& b) {
+    return Whole{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const Whole d = whole(direction), o = whole(origin);
+  const Whole first = cross(d, d[0] == 0 && d[1] == 0 ? Whole{1, 0, 0} : Whole{0, 0, 1});
+  const auto height = [&](const Whole& normal) {
+    std::array<std::array<long, 4>, 4> c{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Whole p = whole(control[i][j]);
+        for (std::size_t k = 0; k < 3; ++k) c[i][j] += normal[k] * (p[k] - o[k]);
+      }
+    }
+    return power_form(c);
+  };
+  const Bicubic f = height(first), g = height(cross(d, first)), along = height(d);
+  const double square = static_cast<double>(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  std::vector<SurfaceCrossing> crossings;
+  const auto all_v = shared_zeros(f, g, 1);
+  for (const Number& u : shared_zeros(f, g, 0)) {
+    for (const Number& v : all_v) {
+      const Number at_f = value(f, u, v), at_g = value(g, u, v);
+      if (arb_contains_zero(at_f.get()) == 0 || arb_contains_zero(at_g.get()) == 0) continue;
+      const Number t = value(along, u, v) / Number(square);
+      crossings.push_back({wide(t.get()), u.midpoint(), v.midpoint()});
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.t.high < b.t.high; });
+  return crossings;
 }
 
 }  // namespace etendue::oracle

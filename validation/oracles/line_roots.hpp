@@ -29,4 +29,14 @@ LineRoots cone_roots(const Point& origin, const Point& direction, const Point& b
 LineRoots quadric_roots(const Point& origin, const Point& direction, const Point& centre,
                         const std::array<Point, 3>& square, const Point& linear, double constant);
 
+/// Where the line meets a bicubic Bézier surface: all common zeros (u, v) of the two
+/// polynomials that say how far the surface's point is from two planes through the line, by resultants.
+struct SurfaceCrossing {
+  Wide t;
+  double u = 0, v = 0;
+};
+/// Domain    coordinates are integers below 2^30; 0 ≤ u, v ≤ 1; ascending t
+std::vector<SurfaceCrossing> bezier_crossings(const Point& origin, const Point& direction,
+                                              const std::array<std::array<Point, 4>, 4>& control);
+
 }  // namespace etendue::oracle

@@ -80,6 +80,31 @@ Aabb bounds(const Mesh& mesh) {
   return box.empty() ? box : widened_box(box);
 }
 
+Aabb bounds(const Cone& cone) {
+  const Vec3 reach = disc_reach((cone.top - cone.base).normalized()) + Vec3::Constant(0x1p-25);
+  return united(around(cone.base, cone.base_radius * reach), around(cone.top, cone.top_radius * reach));
+}
+
+Aabb bounds(const Torus& torus) {
+  const Vec3 ring = torus.ring * (disc_reach(torus.axis.stableNormalized()) + Vec3::Constant(0x1p-25));
+  return around(torus.centre, ring + Vec3::Constant(torus.tube));
+}
+
+Aabb bounds(const Quadric& quadric) {
+  // A meeting counts as inside up to 2^-50 of the box's size beyond it, less than the margin.
+  return bounds(quadric.box);
+}
+
+Aabb bounds(const BezierSurface& surface) {
+  Aabb box;
+  for (const auto& row : surface.control) {
+    for (const Vec3& p : row) box = united(box, p);
+  }
+  // Parameters up to kBezierEdge beyond the edges count; no derivative exceeds three times the net.
+  const Vec3 margin = Vec3::Constant(8 * kBezierEdge * (box.high - box.low).maxCoeff());
+  return widened_box({box.low - margin, box.high + margin});
+}
+
 RayBoxTest::RayBoxTest(const Ray& ray)
     : origin_(ray.origin),
       inverse_(ray.direction.cwiseInverse()),

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/geometry/bezier.hpp"
 #include "etendue/geometry/box.hpp"
+#include "etendue/geometry/cone.hpp"
 #include "etendue/geometry/cylinder.hpp"
 #include "etendue/geometry/disc.hpp"
 #include "etendue/geometry/mesh.hpp"
 #include "etendue/geometry/polygon.hpp"
+#include "etendue/geometry/quadric.hpp"
 #include "etendue/geometry/ray.hpp"
 #include "etendue/geometry/sphere.hpp"
+#include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
 
 namespace etendue {
@@ -30,8 +34,8 @@ struct Aabb {
 /// outside of the bounds by as much. RayBoxTest knows and does not lose the hit.
 ///
 /// Domain    any shape; planes have no bounds
-/// Returns   wider than the tight box by at most 2^-46 of the largest coordinate, and 2^-24 radii for discs and
-///           cylinders, 2^-39 extents for polygons (twice kPlanarity); the empty box for a mesh without triangles
+/// Returns   wider than the tight box by at most 2^-46 of the largest coordinate, and 2^-24 radii for discs,
+///           cylinders, cones and tori, 2^-39 extents for polygons (twice kPlanarity); the empty box for a mesh without triangles
 /// Accuracy  rounded outward, proved (NOTES.md §8)
 [[nodiscard]] Aabb bounds(const Sphere& sphere);
 [[nodiscard]] Aabb bounds(const Disc& disc);
@@ -40,6 +44,10 @@ struct Aabb {
 [[nodiscard]] Aabb bounds(const Triangle& triangle);
 [[nodiscard]] Aabb bounds(const Polygon& polygon);
 [[nodiscard]] Aabb bounds(const Mesh& mesh);
+[[nodiscard]] Aabb bounds(const Cone& cone);
+[[nodiscard]] Aabb bounds(const Torus& torus);
+[[nodiscard]] Aabb bounds(const Quadric& quadric);        ///< its box
+[[nodiscard]] Aabb bounds(const BezierSurface& surface);  ///< its control points
 
 /// Slab test of one ray against many boxes.
 ///

@@ -337,7 +337,10 @@ Net net_along(const Ray& ray, const NearLine& line, const Vec3& centre, const Be
 double largest_coordinate(const BezierSurface& surface) {
   double largest = 0;
   for (const auto& row : surface.control) {
-    for (const Vec3& p : row) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    for (const Vec3& p : row) {
+      require(p.allFinite(), "intersect: the control points are finite");
+      largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+    }
   }
   return largest;
 }
@@ -361,7 +364,6 @@ BezierPoint at(const BezierSurface& surface, double u, double v) {
 std::optional<Hit> intersect(const Ray& ray, const BezierSurface& surface) {
   require_direction(ray);
   const double largest = largest_coordinate(surface);
-  require(std::isfinite(largest), "intersect: the control points are finite");
   const Vec3 centre =
       0.25 * (surface.control[0][0] + surface.control[0][3] + surface.control[3][0] + surface.control[3][3]);
   const NearLine line(ray, centre);
@@ -376,10 +378,14 @@ std::optional<Hit> intersect(const Ray& ray, const BezierSurface& surface) {
   Hit hit;
   hit.t = line.shift + found->t / speed;
   hit.uv = Vec2(found->u, found->v).cwiseMax(0).cwiseMin(1);
-  hit.point = at(surface, hit.uv.x(), hit.uv.y()).point;
+  const BezierPoint there = at(surface, hit.uv.x(), hit.uv.y());
+  const double moved = std::max(std::abs(hit.uv.x() - found->u), std::abs(hit.uv.y() - found->v));
+  hit.point = there.point;
   hit.normal = normal_at(surface, hit.uv.x(), hit.uv.y());
   hit.surface_error = surface_error;
-  hit.point_error = surface_error + found->place_error;
+  // Parameters are rounded, and kept from beyond the edges.
+  hit.point_error =
+      surface_error + found->place_error + (moved + kUnitRoundoff) * 2 * (there.along_u.norm() + there.along_v.norm());
   return looks_at(ray, hit.t) ? std::optional(hit) : std::nullopt;
 }
 

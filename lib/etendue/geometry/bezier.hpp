@@ -31,7 +31,7 @@ struct BezierPoint {
 /// Returns   the smallest t with max(0, t_min) < t < t_max; normal along P_u × P_v, never flipped to the ray; uv: the
 ///           parameters
 /// Hits      within kBezierEdge of the boundary in u and v as well, so that neighbours with a common boundary leave no
-///           gap. A ray within a flat piece is a miss. An origin on the surface is not hit at t = 0 to point_error
+///           gap. A ray within a flat piece (to 2^-50 of its size) is a miss. An origin on the surface is not hit at t = 0 to point_error
 /// Accuracy  point_error is a proved bound: of the piece's size where it was not yet simple after pieces of 2^-40 of the
 ///           surface (tangents, points where P_u × P_v = 0), else a few u of coordinates and size. No tessellation
 /// Errors    ContractViolation where the ray or a control point is not finite or the direction zero

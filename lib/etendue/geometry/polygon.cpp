@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/extent.hpp"
 #include "etendue/geometry/jordan.hpp"
+#include "etendue/geometry/kept_near.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
 #include "etendue/geometry/predicates.hpp"
@@ -150,40 +150,22 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
 
 namespace {
 
-/// The polygon as the ray sees it.
-struct Outlook {
-  bool inside = false;                                     // the ray's line passes through it
-  double first = std::numeric_limits<double>::infinity();  // least and largest t of a corner
-  double last = -std::numeric_limits<double>::infinity();
-};
-
 // The Jordan curve test of encloses(), across the ray in place of a coordinate axis: neighbours see the corners they
 // share at the same doubles, so every line through their common edge passes through exactly one of them.
-Outlook outlook(const Ray& ray, const std::vector<Vec3>& vertices) {
+bool passes_through(const Ray& ray, const std::vector<Vec3>& vertices) {
   const Shear shear = shear_of(ray.direction);
-  Outlook seen;
+  bool inside = false;
   Sheared previous = sheared(shear, vertices.back(), ray.origin);
   for (const Vec3& vertex : vertices) {
     const Sheared current = sheared(shear, vertex, ray.origin);
     const bool current_above = current.y >= 0;
     if ((previous.y >= 0) != current_above) {
       const double turn = edge_function(previous, current);
-      if (current_above ? turn > 0 : turn < 0) seen.inside = !seen.inside;
+      if (current_above ? turn > 0 : turn < 0) inside = !inside;
     }
-    seen.first = std::min(seen.first, current.z);
-    seen.last = std::max(seen.last, current.z);
     previous = current;
   }
-  return seen;
-}
-
-// A ray that passes an edge within the rounding of the shear may meet the plane far outside the polygon; t is then the
-// nearest corner's. Elsewhere the plane's t stands, which the corners' range holds but for its own rounding.
-DoubleDouble kept_near(const DoubleDouble& t, const Outlook& seen) {
-  const double room = kTriangleShift * std::max(std::abs(seen.first), std::abs(seen.last));
-  if (t.high < seen.first - room) return seen.first;
-  if (t.high > seen.last + room) return seen.last;
-  return t;
+  return inside;
 }
 
 double farthest_vertex(const Polygon& polygon, const Vec3& point) {
@@ -192,15 +174,34 @@ double farthest_vertex(const Polygon& polygon, const Vec3& point) {
   return farthest;
 }
 
+struct Span {
+  Vec3 low, high;
+};
+Span span_of(const Polygon& polygon) {
+  Span span{polygon.vertices()[0], polygon.vertices()[0]};
+  for (const Vec3& v : polygon.vertices()) {
+    span.low = span.low.cwiseMin(v);
+    span.high = span.high.cwiseMax(v);
+  }
+  return span;
+}
+
+// The shift of the shear, and what a vertex may lie off the plane in which t is found.
+double room_around(const Polygon& polygon, const Vec3& origin) {
+  const Extent extent = extent_of(polygon.vertices());
+  return kTriangleShift * farthest_vertex(polygon, origin) + kPlanarity * extent.size +
+         kCoordinateRounding * extent.coordinate;
+}
+
 }  // namespace
 
 std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
   require_direction(ray);
-  const Outlook seen = outlook(ray, polygon.vertices());
-  if (!seen.inside) return std::nullopt;
+  if (!passes_through(ray, polygon.vertices())) return std::nullopt;
   const auto met = line_meets_plane(ray, polygon.normal(), polygon.centroid());
   if (!met) return std::nullopt;
-  const DoubleDouble t = kept_near(*met, seen);
+  const auto [low, high] = span_of(polygon);
+  const DoubleDouble t = kept_near(ray, *met, low, high, room_around(polygon, ray.origin));
   if (!looks_at(ray, t.high)) return std::nullopt;
   Hit hit = flat_hit(ray, t, polygon.normal());
   hit.point_error += std::abs(met->high - t.high) * ray.direction.norm();

@@ -59,7 +59,7 @@ class Polygon {
 ///           it, the other half to the neighbour, and no ray slips between polygons that share an edge (exactly the
 ///           same doubles). A parallel ray is a miss
 /// Accuracy  t within kPlaneUlps, for the plane through centroid() with normal(): proved, unless the ray passes an edge
-///           within that shift at so low an angle that the plane's t is far from the polygon: t is then a corner's
+///           within that shift at so low an angle that the plane's t is far from the polygon: t is then kept where the ray is in its box
 /// Errors    ContractViolation where the ray is not finite or the direction zero
 /// Source    [IU] 5.6.2, mended (docs/errata.md, E16, G9)
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon);

@@ -6,6 +6,7 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/geometry/kept_near.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/resolved.hpp"
 #include "etendue/geometry/shear.hpp"
@@ -70,7 +71,9 @@ std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle) {
   if (plane.degenerate) return std::nullopt;
   // A ray that passes an edge within the rounding of the shear may meet the plane outside the triangle, or nowhere.
   const DoubleDouble met = plane.t ? *plane.t : DoubleDouble(a.z + beta * (b.z - a.z) + gamma * (c.z - a.z));
-  const DoubleDouble t = met.high < first ? DoubleDouble(first) : met.high > last ? DoubleDouble(last) : met;
+  const DoubleDouble t = kept_near(ray, met, triangle.a.cwiseMin(triangle.b).cwiseMin(triangle.c),
+                                   triangle.a.cwiseMax(triangle.b).cwiseMax(triangle.c),
+                                   kTriangleShift * farthest_corner(triangle, ray.origin));
   if (!looks_at(ray, t.high)) return std::nullopt;
   const Vec3 normal = Vec3(rounded(plane.normal.x), rounded(plane.normal.y), rounded(plane.normal.z)).normalized();
   Hit hit = flat_hit(ray, t, normal);

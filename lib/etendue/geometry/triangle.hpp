@@ -25,7 +25,7 @@ inline constexpr double kTriangleShift = 0x1p-49;
 ///           doubles), whatever its direction. Degenerate ones (zero area) are misses; so are parallel rays and those in the
 ///           plane, but where one passes an edge within kTriangleShift: that edge is open like any other
 /// Accuracy  hit or miss is exact for corners moved by kTriangleShift: proved. t within kPlaneUlps for the true plane
-///           unless the ray passes over an edge within that shift: then t is kept within the corners' range. The point
+///           unless the ray passes over an edge within that shift: then t is kept where the ray is in the corners' box. The point
 ///           of such a hit may lie that far outside of the edge. β and γ carry the shift over the height of the
 ///           triangle
 /// Errors    ContractViolation where the ray or a corner is not finite, or the direction zero

@@ -22,11 +22,13 @@ struct SceneHit {
 /// How much work a question was: nine tenths of ray tracing are intersection tests.                @eq IU.5.7
 struct TestCount {
   std::uint64_t surfaces = 0;  ///< ray against a shape, or a triangle of a mesh
-  std::uint64_t volumes = 0;   ///< ray against a bounding volume
+  std::uint64_t volumes = 0;   ///< ray against a bounding volume, or the box of a voxel
+  std::uint64_t voxels = 0;    ///< undivided voxels of a grid or an octree that the ray entered
 
   TestCount& operator+=(const TestCount& other) {
     surfaces += other.surfaces;
     volumes += other.volumes;
+    voxels += other.voxels;
     return *this;
   }
 };
@@ -72,6 +74,9 @@ class Accelerator {
 enum class AcceleratorKind {
   brute_force,       ///< every surface is tested
   bounding_volumes,  ///< hierarchy of boxes
+  bounding_spheres,  ///< hierarchy of spheres
+  grid,              ///< equal voxels
+  octree,            ///< voxels divided where the surfaces are
 };
 
 [[nodiscard]] std::unique_ptr<const Accelerator> make_accelerator(const Scene& scene, AcceleratorKind kind);

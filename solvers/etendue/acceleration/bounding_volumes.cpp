@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <tuple>
+
+#include "etendue/acceleration/search.hpp"
 
 namespace etendue {
 
@@ -21,11 +22,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 double half_area(const Aabb& box) {
   const Vec3 edge = box.high - box.low;
   return edge.x() * edge.y() + edge.y() * edge.z() + edge.z() * edge.x();
-}
-
-/// RayBoxTest asks for hits below a limit; hits at the limit itself have to be compared, too.
-double beyond(double t) {
-  return std::nextafter(t, kInfinity);
 }
 
 }  // namespace
@@ -95,21 +91,11 @@ void BoundingVolumes::build(std::vector<Item>& items, std::size_t begin, std::si
   build(items, cut, end, level + 1);
 }
 
-Nearest BoundingVolumes::nearest(const Ray& ray) const {
-  Nearest answer;
-  double best = ray.t_max;
-  const auto try_surface = [&](const Surface& surface) {
-    ++answer.tests.surfaces;
-    const auto hit = intersect(ray, scene(), surface);
-    if (!hit) return;
-    const SceneHit candidate{*hit, surface.object, surface.part};
-    if (answer.hit && !precedes(candidate, *answer.hit)) return;
-    answer.hit = candidate;
-    best = hit->t;
-  };
-  for (const Surface& surface : unbounded_) try_surface(surface);
-  if (nodes_.empty()) return answer;
-
+// Calls visit(surface) for each surface in a box that the ray may meet before `limit`, which visit may lower; ends when
+// visit returns false.
+template <class Visit>
+void BoundingVolumes::walk(const Ray& ray, TestCount& tests, const double& limit, Visit visit) const {
+  if (nodes_.empty()) return;
   const RayBoxTest test(ray);
   std::array<std::uint32_t, kStack> stack;
   std::size_t waiting = 0;
@@ -117,42 +103,34 @@ Nearest BoundingVolumes::nearest(const Ray& ray) const {
   while (waiting > 0) {
     const std::uint32_t index = stack[--waiting];
     const Node& node = nodes_[index];
-    ++answer.tests.volumes;
-    if (!test.meets(node.box, beyond(best))) continue;
-    for (std::uint32_t i = 0; i < node.count; ++i) try_surface(bounded_[node.first + i]);
+    ++tests.volumes;
+    if (!test.meets(node.box, beyond(limit))) continue;
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+      ++tests.surfaces;
+      if (!visit(bounded_[node.first + i])) return;
+    }
     if (node.count > 0) continue;
     const bool second_is_nearer = ray.direction[node.axis] < 0;  // a guess, for speed only
     stack[waiting++] = second_is_nearer ? index + 1 : node.first;
     stack[waiting++] = second_is_nearer ? node.first : index + 1;
   }
-  return answer;
+}
+
+Nearest BoundingVolumes::nearest(const Ray& ray) const {
+  NearestSearch search(scene(), ray);
+  for (const Surface& surface : unbounded_) search.try_counted(surface);
+  walk(ray, search.answer().tests, search.limit(), [&](const Surface& surface) {
+    search.try_surface(surface);
+    return true;
+  });
+  return search.answer();
 }
 
 Obstruction BoundingVolumes::obstruction(const Ray& ray) const {
-  Obstruction answer;
-  const auto blocks = [&](const Surface& surface) {
-    ++answer.tests.surfaces;
-    return intersect(ray, scene(), surface).has_value();
-  };
-  answer.blocked = std::any_of(unbounded_.begin(), unbounded_.end(), blocks);
-  if (answer.blocked || nodes_.empty()) return answer;
-
-  const RayBoxTest test(ray);
-  std::array<std::uint32_t, kStack> stack;
-  std::size_t waiting = 0;
-  stack[waiting++] = 0;
-  while (waiting > 0 && !answer.blocked) {
-    const std::uint32_t index = stack[--waiting];
-    const Node& node = nodes_[index];
-    ++answer.tests.volumes;
-    if (!test.meets(node.box, beyond(ray.t_max))) continue;
-    if (node.count == 0) {
-      stack[waiting++] = node.first;
-      stack[waiting++] = index + 1;
-    }
-    for (std::uint32_t i = 0; i < node.count && !answer.blocked; ++i) answer.blocked = blocks(bounded_[node.first + i]);
-  }
-  return answer;
+  ObstructionSearch search(scene(), ray);
+  if (search.any_blocks(unbounded_)) return search.answer();
+  walk(ray, search.answer().tests, ray.t_max, [&](const Surface& surface) { return !search.blocks(surface); });
+  return search.answer();
 }
 
 }  // namespace etendue

@@ -41,6 +41,8 @@ class BoundingVolumes final : public Accelerator {
     Aabb box;
     Vec3 middle;
   };
+  template <class Visit>
+  void walk(const Ray& ray, TestCount& tests, const double& limit, Visit visit) const;
   void build(std::vector<Item>& items, std::size_t begin, std::size_t end, int level);
 
   std::vector<Node> nodes_;         // in preorder; empty when nothing is bounded

@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/acceleration/brute_force.hpp"
 
+#include "etendue/acceleration/search.hpp"
+
 namespace etendue {
 
 Nearest BruteForce::nearest(const Ray& ray) const {
-  Nearest answer;
-  for (const Surface& surface : surfaces_) {
-    ++answer.tests.surfaces;
-    const auto hit = intersect(ray, scene(), surface);
-    if (!hit) continue;
-    const SceneHit candidate{*hit, surface.object, surface.part};
-    if (!answer.hit || precedes(candidate, *answer.hit)) answer.hit = candidate;
-  }
-  return answer;
+  NearestSearch search(scene(), ray);
+  for (const Surface& surface : surfaces_) search.try_counted(surface);
+  return search.answer();
 }
 
 Obstruction BruteForce::obstruction(const Ray& ray) const {
-  Obstruction answer;
-  for (const Surface& surface : surfaces_) {
-    ++answer.tests.surfaces;
-    answer.blocked = intersect(ray, scene(), surface).has_value();
-    if (answer.blocked) break;
-  }
-  return answer;
+  ObstructionSearch search(scene(), ray);
+  (void)search.any_blocks(surfaces_);
+  return search.answer();
 }
 
 }  // namespace etendue
