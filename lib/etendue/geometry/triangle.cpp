@@ -50,21 +50,47 @@ double farthest_corner(const Triangle& triangle, const Vec3& point) {
                    (triangle.c - point).lpNorm<Eigen::Infinity>()});
 }
 
+// A triangle as the ray sees it.
+struct Seen {
+  Sheared a, b, c;
+  double u, v, w;  // of the edges bc, ca, ab: all of one sign, or zero, inside
+
+  Seen(const Shear& shear, const Triangle& triangle, const Vec3& origin)
+      : a(sheared(shear, triangle.a, origin)),
+        b(sheared(shear, triangle.b, origin)),
+        c(sheared(shear, triangle.c, origin)),
+        u(edge_function(b, c)),
+        v(edge_function(c, a)),
+        w(edge_function(a, b)) {}
+
+  double sum() const { return u + v + w; }
+  bool passed_through() const { return !((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) && sum() != 0; }
+  bool in_range(const Ray& ray) const {
+    const double first = std::min({a.z, b.z, c.z}), last = std::max({a.z, b.z, c.z});
+    return last > 0 && last > ray.t_min && first < ray.t_max;
+  }
+};
+
 }  // namespace
+
+bool TrianglePass::may_hit(const Triangle& triangle, double t_max) const {
+  const Seen seen(shear_, triangle, ray_.origin);
+  if (!seen.passed_through() || !seen.in_range(ray_)) return false;
+  // A hit may lie by the shift before the nearest corner (kept_near).
+  double reach = 0;
+  for (const Sheared& p : {seen.a, seen.b, seen.c}) {
+    reach = std::max(reach, std::abs(p.z) + std::abs(shear_.scale) * (std::abs(p.x) + std::abs(p.y)));
+  }
+  return std::min({seen.a.z, seen.b.z, seen.c.z}) - 4 * kTriangleShift * reach <= t_max;
+}
 
 std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle) {
   require_direction(ray);
-  const Shear shear = shear_of(ray.direction);
-  const Sheared a = sheared(shear, triangle.a, ray.origin);
-  const Sheared b = sheared(shear, triangle.b, ray.origin);
-  const Sheared c = sheared(shear, triangle.c, ray.origin);
-  const double u = edge_function(b, c), v = edge_function(c, a), w = edge_function(a, b);
-  const double sum = u + v + w;
+  const Seen seen(shear_of(ray.direction), triangle, ray.origin);
+  const auto& [a, b, c, u, v, w] = seen;
+  const double sum = seen.sum();
   require(std::isfinite(sum), "intersect: the triangle's corners are finite");
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
-  if (sum == 0) return std::nullopt;
-  const double first = std::min({a.z, b.z, c.z}), last = std::max({a.z, b.z, c.z});
-  if (last <= 0 || last <= ray.t_min || first >= ray.t_max) return std::nullopt;
+  if (!seen.passed_through() || !seen.in_range(ray)) return std::nullopt;
 
   const double beta = v / sum, gamma = w / sum;
   const CornerPlane plane = corner_plane(ray, triangle);

@@ -5,6 +5,7 @@
 
 #include "etendue/geometry/hit.hpp"
 #include "etendue/geometry/ray.hpp"
+#include "etendue/geometry/shear.hpp"
 
 namespace etendue {
 
@@ -32,5 +33,18 @@ inline constexpr double kTriangleShift = 0x1p-49;
 /// Note      needs -ffp-contract=off: validation/geometry/watertight_test.cpp fails where products are contracted
 /// Source    Woop, Benthin and Wald 2013; R5 of docs/errata.md (t > 0)
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle);
+
+/// The first, cheap part of intersect() for one ray and many triangles: whether the ray's line passes through one.
+class TrianglePass {
+ public:
+  explicit TrianglePass(const Ray& ray) : ray_(ray), shear_(shear_of(ray.direction)) {}
+
+  /// False only where intersect(ray, triangle) is a miss, or its t is above t_max.
+  [[nodiscard]] bool may_hit(const Triangle& triangle, double t_max) const;
+
+ private:
+  const Ray& ray_;
+  Shear shear_;
+};
 
 }  // namespace etendue

@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
-#include "etendue/acceleration/bounding_volumes.hpp"
+#include "etendue/acceleration/box_tree.hpp"
 #include "etendue/acceleration/search.hpp"
 
 namespace etendue {
 
 namespace {
 
-constexpr std::size_t kStack = 128;  // deeper than any tree of BoundingVolumes
+constexpr std::size_t kStack = BoxTree::kDeepest + 2;
 /// Of the distances in a test: roundings, and kTriangleShift of the distance of a triangle.
 constexpr double kSlack = 0x1p-38;
 
@@ -75,16 +76,16 @@ BoundingSphere bounding_sphere(const Scene& scene, const Surface& surface, const
 }
 
 BoundingSpheres::BoundingSpheres(const Scene& scene) : Accelerator(scene) {
-  const BoundingVolumes boxes(scene);
-  bounded_ = boxes.bounded();
-  unbounded_ = boxes.unbounded();
-  nodes_.resize(boxes.nodes().size());
+  BoxTree boxes(scene);
+  bounded_ = std::move(boxes.bounded);
+  unbounded_ = std::move(boxes.unbounded);
+  nodes_.resize(boxes.nodes.size());
   // Children stand behind their parent: from the back, each sphere is ready when it is needed.
   std::vector<BoundingSphere> of_surface;
   for (const Surface& surface : bounded_)
     of_surface.push_back(bounding_sphere(scene, surface, *bounds(scene, surface)));
   for (std::size_t i = nodes_.size(); i-- > 0;) {
-    const BoundingVolumes::Node& from = boxes.nodes()[i];
+    const BoxTree::Node& from = boxes.nodes[i];
     Node& node = nodes_[i];
     node.first = from.first;
     node.count = from.count;

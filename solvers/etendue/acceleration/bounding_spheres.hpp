@@ -18,7 +18,7 @@ struct BoundingSphere {
 ///
 /// Accuracy  the hits of BruteForce, bit for bit: spheres are widened by 2^-38 of the distances in a test of them, more
 ///           than rounding and kTriangleShift together
-/// Source    [IU] 5.7.1; groups are those that BoundingVolumes makes
+/// Source    [IU] 5.7.1; groups are those of BoxTree
 class BoundingSpheres final : public Accelerator {
  public:
   explicit BoundingSpheres(const Scene& scene);
