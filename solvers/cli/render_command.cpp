@@ -207,6 +207,13 @@ int explain_pixel(const Request& request, const Options& options, const SceneFil
   return 0;
 }
 
+AcceleratorKind accelerator_named(const std::string& name) {
+  if (name == "spheres") return AcceleratorKind::bounding_spheres;
+  if (name == "grid") return AcceleratorKind::grid;
+  if (name == "octree") return AcceleratorKind::octree;
+  return name == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
+}
+
 void declare(Options& options, Request& request) {
   options.argument("SCENE", "scene file (JSON)", request.scene);
   options.integer("--depth", "D", "greatest level of a ray; rays from the eye are of level 0 (default: 12)",
@@ -217,7 +224,9 @@ void declare(Options& options, Request& request) {
                   kMostSamples);
   options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
                   request.columns, 1, kMostColumns);
-  options.choice("--accelerator", {"bvh", "brute"}, "bounding volumes or every surface; same picture (default: bvh)",
+  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute"},
+                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one; same picture "
+                 "(default: bvh)",
                  request.accelerator);
   options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
                request.exposure, kLeastExposure, kMostExposure);
@@ -264,8 +273,7 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
       return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
-  const auto kind = request.accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
-  const auto accelerator = make_accelerator(file.scene, kind);
+  const auto accelerator = make_accelerator(file.scene, accelerator_named(request.accelerator));
   if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);
 
   const auto begin = std::chrono::steady_clock::now();
