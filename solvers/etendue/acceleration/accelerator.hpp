@@ -19,7 +19,7 @@ struct SceneHit {
   std::size_t part = 0;    ///< triangle of a mesh; 0 for every other shape
 };
 
-/// How much work a question was: nine tenths of ray tracing are intersection tests.                @eq IU.5.7
+/// How much work a question was: nine tenths of ray tracing are intersection tests.       @eq IU.5.7, IU.5.7n
 struct TestCount {
   std::uint64_t surfaces = 0;  ///< ray against a shape, or a triangle of a mesh
   std::uint64_t volumes = 0;   ///< ray against a bounding volume, or the box of a voxel

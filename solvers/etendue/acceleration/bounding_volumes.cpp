@@ -227,8 +227,9 @@ void BoundingVolumes::walk(const Ray& ray, TestCount& tests, const double& limit
   };
   // Memory is what a large scene waits for: all that may be looked at next is asked for at once.
   const auto fetch = [&](std::uint32_t first, std::uint32_t count) {
-    const auto* place = count > 0 && !triangles_.empty() ? reinterpret_cast<const char*>(&triangles_[first])
-                                                         : reinterpret_cast<const char*>(&nodes_[count > 0 ? 0 : first]);
+    const auto* place = count > 0 && !triangles_.empty()
+                            ? reinterpret_cast<const char*>(&triangles_[first])
+                            : reinterpret_cast<const char*>(&nodes_[count > 0 ? 0 : first]);
     for (std::size_t line = 0; line < sizeof(Node); line += 64) __builtin_prefetch(place + line);
   };
   struct Waiting {

@@ -9,7 +9,7 @@
 namespace etendue {
 
 /// A box around the scene, divided into L × M × N equal voxels with lists of the surfaces in them; a ray is followed
-/// from voxel to voxel until the best hit lies in one that it has passed.                          @eq IU.5.7.2a
+/// from voxel to voxel until the best hit lies in one that it has passed.                  @eq IU.5.7.2a, IU.f43
 ///
 /// A surface lies in every voxel its box touches and is tested once a ray; a hit outside the voxel in which it was
 /// found does not end the walk. Planes are always tested.

@@ -14,7 +14,7 @@ struct OctreeLimits {
 };
 
 /// A cube around the scene, divided into eight as long as a voxel holds more than a maximum of surfaces and depth
-/// allows; the voxels a ray passes are visited in its order.                                        @eq IU.5.7.2b
+/// allows; the voxels a ray passes are visited in its order.                                @eq IU.5.7.2b, IU.f44
 ///
 /// A surface lies in every voxel its box touches and is tested once a ray. A voxel whose eight parts would all hold all
 /// of its surfaces is not divided. Planes are always tested.
