@@ -111,13 +111,13 @@ TEST(Program, RefusesWrongScenesWithTheirPlace) {
   const std::vector<WrongScene> all{
       {with("\"ambient\"", "\"ambeint\""), "15:3: /ambeint: ", "did you mean 'ambient'?"},
       {with("\"radius\": 30", "\"radius\": -30"),
-       "29:77: /objects/1/radius: ", "found -30, expected a number in (0, 1e+50]"},
-      {with("\"glass\", \"centre\"", "\"glas\", \"centre\""), "29:36: /objects/1/material: ", "did you mean 'glass'?"},
-      {with("\"rho\": 0.5", "\"rho\": 1"), "17:45: /materials/wall/rho: ", "expected a number in [0, 1)"},
+       "30:77: /objects/1/radius: ", "found -30, expected a number in (0, 1e+50]"},
+      {with("\"glass\", \"centre\"", "\"glas\", \"centre\""), "30:36: /objects/1/material: ", "did you mean 'glass'?"},
+      {with("\"rho\": 0.5", "\"rho\": 1"), "18:45: /materials/wall/rho: ", "expected a number in [0, 1)"},
       {with("  \"unit\": \"cm\",\n", ""), "1:1: ", "no key \"unit\""},
       {with("\"ambient\": 0.3", "\"ambient\": 1e999"), "15:14: /ambient: ", "that a double can hold"},
       {with("100, 0], [100, 100, 0]", "100, 0], [100, 101, 0]"),
-       "31:19: /objects/2/vertices: ", "found a polygon that is none: vertex"},
+       "32:19: /objects/2/vertices: ", "found a polygon that is none: vertex"},
       {std::string(1000, '['), "1:66: ", "nesting deeper than 64"},
       {"", "1:1: ", "found the end of the file, expected a value"},
       {std::string("\x7f"

@@ -178,14 +178,14 @@ TEST(SolveSensors, ComeNearTheTruthInACube) {
 }
 
 // CLAIM      A closed room with two blocks, on two thirds of the scene's rows and columns: 80 sensors on all surfaces are
-//            within 0.3 % rms of the reference and 6 % at worst. (On all elements within 0.1 % and 1 %: ci/accuracy.)
+//            within 0.6 % rms of the reference and 6 % at worst. (On all elements within 0.1 % and 1 %: ci/accuracy.)
 // ORACLE     table: reference/cornell_sensors.csv, by a finer mesh of another grading (reference/sensor_references).
-// TOLERANCE  rms: (3/2)² times the bar of the whole mesh, and a third more, for the order of 2. Worst: between 1 % on the whole
-//            mesh and the 23 % measured on half of it, at their slope: 0.01 · 1.5^4.5.
+// TOLERANCE  guards against a loss of accuracy, no more: between the bars of the whole mesh (0.1 % and 1 %) and what half of it
+//            was measured to reach (2 % and 23 %), at their slope: 1.5^4.5 times the former.
 TEST(SolveSensors, ComeNearTheTruthAmongBlocks) {
   proves({"IU.6-2", "IU.6-4", "IU.6.5.1"}, Oracle::table, "cornell_sensors.csv");
   const Misses found = misses("cornell", "sensors.csv", "cornell_sensors.csv", 2.0 / 3);
-  EXPECT_TRUE(within(found.rms, 3e-3));
+  EXPECT_TRUE(within(found.rms, 6e-3));
   EXPECT_TRUE(within(found.worst, 6e-2));
 }
 

@@ -133,7 +133,7 @@ TEST(SolveCommand, KeepsTheRadiositiesWhenInterruptedInThePicture) {
   const Ended ended = solve(scene, {"--samples", "2"}, options);
   EXPECT_EQ(ended.signal, 0);
   EXPECT_TRUE(holds(ended.code == 6)) << ended.code << ended.err;
-  EXPECT_TRUE(holds(says(ended, "stopped; there are no pictures; the radiosities are in"))) << ended.err;
+  EXPECT_TRUE(holds(says(ended, "stopped; sensors or pictures are missing; the radiosities are in"))) << ended.err;
   EXPECT_EQ(folder.contents(), "large.json out.json");
   const Json report = Json::parse(read_text(folder.path() / "out.json"));
   const double expected[] = {3, 8, 10};
