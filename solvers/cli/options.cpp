@@ -275,6 +275,10 @@ void Options::print_help(std::ostream& out) const {
 
 void add_common(Options& options, CommonOptions& common, const std::string& output_help) {
   options.path("--output", "FILE", output_help, common.output);
+  add_running(options, common);
+}
+
+void add_running(Options& options, CommonOptions& common) {
   options.integer("--threads", "N", "threads to compute on (default: all cores); results do not depend on it",
                   common.threads, 1, kMostThreads);
   options.flag("--json", "print the report as JSON", common.json);

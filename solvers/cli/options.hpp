@@ -89,5 +89,7 @@ struct CommonOptions {
 
 /// Declares --threads, --quiet, --json and --output (which `output_help` describes).
 void add_common(Options& options, CommonOptions& common, const std::string& output_help);
+/// The same without --output, for who declares that otherwise.
+void add_running(Options& options, CommonOptions& common);
 
 }  // namespace etendue::cli

@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "etendue/core/version.hpp"
-#include "etendue/image/exposure.hpp"
 #include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/shared_vertices.hpp"
 #include "etendue/meshing/surface_checks.hpp"
@@ -207,17 +206,19 @@ ImageMetadata metadata(const RefinedReport& report) {
 Result<Done> write_pictures(RefinedReport& report, const ElementMesh& shown, std::ostream& err) {
   const Scene& scene = report.file.scene;
   const RefinedRequest& request = report.request;
-  const auto picture = drawn(scene, shown, report.vertices, request, err);
-  if (!picture) return picture.error();
-  Image displayed = exposed(*picture, report.exposure);
+  auto radiosities = drawn(scene, shown, report.vertices, request, err);
+  if (!radiosities) return radiosities.error();
+  const ToneMapping how = mapping(request.tone, report.exposure);
+  Shown picture{std::move(radiosities).value(), {}};
+  picture.displayed = tone_mapped(picture.radiosities, how);
   if (request.draw_mesh) {
     const auto lines = mesh_lines(scene.camera, report.solution.model.elements, request.samples);
     if (!lines) return lines.error();
-    displayed = drawn_over(displayed, *lines, 1);
+    picture.displayed.picture = drawn_over(picture.displayed.picture, *lines, 1);
   }
   report.exr = named(request, ".exr");
   report.png = named(request, ".png");
-  return write_pictures(report, *picture, displayed, report.exposure, metadata(report));
+  return write_pictures(report, picture, how, metadata(report));
 }
 
 /// A mesh whose elements meet in corners, and the values there; left without values where stopped.
@@ -225,13 +226,11 @@ ElementMesh prepare_view(RefinedReport& report) {
   const Scene& scene = report.file.scene;
   const PatchModel& model = report.solution.model;
   ElementMesh shown = with_shared_vertices(model.elements);
-  const auto blind =
-      without_view(model, report.solution.state.irradiance, {report.request.common.threads, {}, nullptr});
+  report.covered = without_view(model, report.solution.state.irradiance, {report.request.common.threads, {}, nullptr});
   const std::vector<Rgb> values =
       report.request.ambient ? with_ambient_term(scene, model, report.radiosity, report.ambient) : report.radiosity;
-  report.vertices = vertex_radiosities(shown, values, blind);
-  report.exposure =
-      report.request.exposure > 0 ? report.request.exposure : 1 / white_level(scene, shown, report.vertices);
+  report.vertices = vertex_radiosities(shown, values, report.covered);
+  report.exposure = linear_exposure(report.request.tone, white_level(scene, shown, report.vertices));
   return shown;
 }
 

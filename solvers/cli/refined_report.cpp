@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "refined_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -57,9 +58,8 @@ Json summary(const RefinedReport& report) {
   json["program"] = std::string("etendue ") + version();
   json["method"] = method_words(report.request);
   json["status"] = words(report.status);
-  json["scene"] = {{"name", report.file.scene.name},
-                   {"hash", report.file.hash},
-                   {"metres_per_unit", report.file.scene.metres_per_unit}};
+  json["scene"] = scene_json(report.file);
+  json["camera"] = view_json(report.file.scene);
   json["settings"] = report.settings;
   json["mesh"] = {{"faces", solution.mesh.faces.size()},
                   {"patches", solution.mesh.patches},
@@ -117,6 +117,7 @@ Json element_json(const RefinedReport& report, std::size_t k) {
     json["irradiance_by_light"].push_back(triple(light.state.irradiance[k]));
   }
   for (const Vec3& vertex : element.polygon.vertices()) json["vertices"].push_back(triple(vertex));
+  if (std::binary_search(report.covered.begin(), report.covered.end(), k)) json["covered"] = true;
   return json;
 }
 
@@ -155,6 +156,8 @@ Result<Done> write_solution(const std::filesystem::path& path, const RefinedRepo
   return write_pieces(path, [&](const Append& append) -> Result<Done> {
     std::string text = dumped(summary(report));
     text.resize(text.size() - std::string("\n}").size());
+    text += ",\n \"faces\": " + dumped(faces_json(report.solution.model.elements), -1);
+    text += ",\n \"contacts\": " + dumped(contacts_json(report.solution.model.elements), -1);
     text += ",\n \"patches\": [";
     constexpr std::size_t kPiece = 1 << 16;
     const auto add = [&](const std::string& more) -> Result<Done> {

@@ -35,7 +35,8 @@ struct RefinedReport : SolutionFiles {
   ShootingGap gap;      ///< of the state; by elimination AdaptiveSolution::bound in its place
   Emissions emissions;  ///< of each patch
   std::vector<Rgb> radiosity;
-  Rgb ambient = Rgb::Zero();  ///< B_amb, shown with --ambient
+  Rgb ambient = Rgb::Zero();         ///< B_amb, shown with --ambient
+  std::vector<std::size_t> covered;  ///< elements that see no front
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;

@@ -93,6 +93,7 @@ std::optional<std::string> contradiction(RefinedRequest& request) {
     return "--resume, --overshoot, --ambient and --steps are for methods that shoot";
   }
   if (request.per_light && request.method != "progressive") return "--per-light is for --method progressive";
+  if (auto wrong = contradiction(request.tone)) return wrong;
   if (request.relight && (request.resume || request.per_light)) {
     return "--relight combines a finished run: neither --resume nor --per-light";
   }

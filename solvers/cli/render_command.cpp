@@ -24,6 +24,7 @@
 #include "ray_tree_output.hpp"
 #include "report_json.hpp"
 #include "stop.hpp"
+#include "tone_options.hpp"
 
 namespace etendue::cli {
 
@@ -44,7 +45,7 @@ struct Request {
   fs::path scene;
   RenderOptions render;
   std::string accelerator = "bvh";
-  double exposure = 1;
+  ToneOptions tone;
   std::optional<std::string> pixel;  ///< of --ray-tree, as typed
   int columns = 0;                   ///< 0: as the scene says
 };
@@ -66,12 +67,14 @@ ImageMetadata metadata(const Request& request, const SceneFile& file, const Rend
 
 struct Written {
   fs::path exr, png;
+  double scale = 1;   ///< what the PNG's values are multiplied by
+  Brightness bright;  ///< of the PNG, before values above 1 are cut
 };
 
 /// The pictures' names, when complete or when stopped.
 Written names(const Request& request, bool complete) {
   const std::string name = output_stem(request.common.output, request.scene).string() + (complete ? "" : ".incomplete");
-  return {name + ".exr", name + ".png"};
+  return {name + ".exr", name + ".png", 1, {}};
 }
 
 /// All files that this run may write.
@@ -83,12 +86,16 @@ std::vector<fs::path> outputs(const Request& request) {
 }
 
 Result<Written> write_pictures(const Request& request, const SceneFile& file, const Rendering& rendering) {
-  const Written written = names(request, rendering.complete);
+  Written written = names(request, rendering.complete);
   ImageMetadata facts = metadata(request, file, rendering);
   const auto exr = encode_image(written.exr, rendering.image, facts);
   if (!exr) return exr.error();
-  facts.emplace_back("etendue:exposure", shortest(request.exposure));
-  const auto png = encode_image(written.png, exposed(rendering.image, request.exposure), facts);
+  const ToneMapping how = mapping(request.tone, 1);
+  const ToneMapped displayed = tone_mapped(rendering.image, how);
+  add_facts(facts, how, displayed.scale);
+  written.scale = displayed.scale;
+  written.bright = brightness(displayed.picture);
+  const auto png = encode_image(written.png, displayed.picture, facts);
   if (!png) return png.error();
   if (const auto both = write_files({*exr, *png}); !both) return both.error();
   return written;
@@ -103,7 +110,8 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
   const RenderCounts& counts = rendering.counts;
   const TreeLimits& limits = request.render.limits;
   const int side = request.render.samples_per_side;
-  const Brightness bright = brightness(exposed(rendering.image, request.exposure));
+  const Brightness& bright = written.bright;
+  const ToneMapping how = mapping(request.tone, 1);
   out << "scene       " << scene_line(file) << '\n'
       << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
       << side << " rays a pixel, depth " << limits.depth << ", cutoff " << shortest(limits.cutoff) << '\n'
@@ -116,7 +124,12 @@ void print_text(std::ostream& out, const Request& request, const SceneFile& file
       << "brightness  " << rounded(bright.largest) << " at most";
   if (bright.overflow > 0) {
     out << "; " << counted(bright.overflow, "pixel") << (bright.overflow == 1 ? " is" : " are")
-        << " cut off in the PNG (--exposure " << rounded(request.exposure / bright.largest) << " would show them)";
+        << " cut off in the PNG (";
+    if (how.tone == ToneOperator::reinhard) {
+      out << "a smaller --exposure would show them)";
+    } else {
+      out << "--exposure " << rounded(how.exposure / bright.largest) << " would show them)";
+    }
   }
   out << "\ntime        " << rounded(seconds) << " s\n"
       << printable(written.exr.string()) << '\n'
@@ -134,7 +147,8 @@ void print_json(std::ostream& out, const Request& request, const SceneFile& file
                         {"cutoff", request.render.limits.cutoff},
                         {"samples_per_side", request.render.samples_per_side},
                         {"accelerator", request.accelerator},
-                        {"exposure", request.exposure}};
+                        {"exposure", written.scale},
+                        {"tone", tone_text(mapping(request.tone, 1))}};
   report["picture"] = {{"columns", rendering.image.columns}, {"rows", rendering.image.rows},
                        {"complete", rendering.complete},     {"largest_value", bright.largest},
                        {"exr", written.exr.string()},        {"png", written.png.string()}};
@@ -228,8 +242,7 @@ void declare(Options& options, Request& request) {
                  "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one; same picture "
                  "(default: bvh)",
                  request.accelerator);
-  options.real("--exposure", "F", "multiply the PNG's values by F; the EXR stays as computed (default: 1)",
-               request.exposure, kLeastExposure, kMostExposure);
+  add_tone(options, request.tone, "1");
   options.text("--ray-tree", "COLUMN,ROW",
                "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
                request.pixel);
@@ -254,6 +267,7 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
   if (const auto complaint = misuse(request)) return options.usage_error(err, *complaint);
+  if (const auto complaint = contradiction(request.tone)) return options.usage_error(err, *complaint);
   auto read = [&] {
     const NothingToSave reading;
     return read_scene(request.scene);

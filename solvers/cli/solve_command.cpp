@@ -6,7 +6,6 @@
 #include <ostream>
 
 #include "etendue/core/version.hpp"
-#include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/shared_vertices.hpp"
@@ -56,7 +55,7 @@ ElementMesh prepare_view(SolveReport& report, const Request& request) {
   const Scene& scene = report.file.scene;
   ElementMesh shown = with_shared_vertices(report.mesh);
   report.vertices = vertex_radiosities(shown, report.solution->radiosity, report.closure.covered);
-  report.exposure = request.exposure > 0 ? request.exposure : 1 / white_level(scene, shown, report.vertices);
+  report.exposure = linear_exposure(request.tone, white_level(scene, shown, report.vertices));
   return shown;
 }
 
@@ -72,12 +71,14 @@ SolvedSurfaces surfaces(const SolveReport& report, const ElementMesh& shown) {
 
 /// Draws and writes both pictures; ErrorCode::stopped when the user asked for it meanwhile.
 Result<Done> write_pictures(SolveReport& report, const ElementMesh& shown, const Request& request, std::ostream& err) {
-  const auto picture = drawn(report.file.scene, shown, report.vertices, request, err);
+  auto picture = drawn(report.file.scene, shown, report.vertices, request, err);
   if (!picture) return picture.error();
   report.exr = solution_path(request, ".exr");
   report.png = solution_path(request, ".png");
-  return write_pictures(report, *picture, exposed(*picture, report.exposure), report.exposure,
-                        metadata(report, request.samples));
+  const ToneMapping how = mapping(request.tone, report.exposure);
+  Shown both{std::move(picture).value(), {}};
+  both.displayed = tone_mapped(both.radiosities, how);
+  return write_pictures(report, both, how, metadata(report, request.samples));
 }
 
 /// Refuses elements whose matrix this machine cannot hold, before it is begun.
@@ -260,6 +261,7 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
   if (const auto wrong = contradiction(request.sensors)) return options.usage_error(err, *wrong);
+  if (const auto wrong = contradiction(request.tone)) return options.usage_error(err, *wrong);
   if (request.solver == "eigen") request.solver = "lu";
   const auto begin = std::chrono::steady_clock::now();
   auto outcome = solved(request, err);

@@ -4,7 +4,6 @@
 #include <ostream>
 #include <utility>
 
-#include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/scene_node.hpp"
 #include "etendue/text/number_text.hpp"
@@ -63,9 +62,7 @@ void add_meshing(Options& options, SolutionRequest& request) {
 }
 
 void add_results(Options& options, SolutionRequest& request) {
-  options.real("--exposure", "F",
-               "multiply the PNG's values by F (default: 1 / the largest radiosity that is not an emitter's)",
-               request.exposure, kLeastExposure, kMostExposure);
+  add_tone(options, request.tone, "1 / the largest radiosity that is not an emitter's");
   options.integer("--samples", "N", "N × N samples a pixel (default: 3)", request.samples, 1, kMostSamples);
   add_common(options, request.common,
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
@@ -121,16 +118,28 @@ Result<Image> drawn(const Scene& scene, const ElementMesh& mesh, const VertexRad
                           execution(request.common, progress));
 }
 
-Result<Done> write_pictures(const SolutionFiles& files, const Image& radiosities, const Image& displayed,
-                            double exposure, ImageMetadata facts) {
+double linear_exposure(const ToneOptions& tone, double white_level) {
+  return tone.is_linear() && tone.exposure > 0 ? tone.exposure : 1 / white_level;
+}
+
+Result<std::vector<NewFile>> encode_pictures(const SolutionFiles& files, const Shown& shown, const ToneMapping& mapping,
+                                             ImageMetadata facts) {
   facts.emplace_back("etendue:values", "radiosity [W/m2]");
-  const auto exr = encode_image(files.exr, radiosities, facts);
+  auto exr = encode_image(files.exr, shown.radiosities, facts);
   if (!exr) return exr.error();
-  facts.back().second = "radiosity times exposure";
-  facts.emplace_back("etendue:exposure", shortest(exposure));
-  const auto png = encode_image(files.png, displayed, facts);
+  facts.back().second =
+      mapping.tone == ToneOperator::reinhard ? "radiosity times exposure, compressed" : "radiosity times exposure";
+  add_facts(facts, mapping, shown.displayed.scale);
+  auto png = encode_image(files.png, shown.displayed.picture, facts);
   if (!png) return png.error();
-  return write_files({*exr, *png});
+  return std::vector<NewFile>{std::move(exr).value(), std::move(png).value()};
+}
+
+Result<Done> write_pictures(const SolutionFiles& files, const Shown& shown, const ToneMapping& mapping,
+                            const ImageMetadata& facts) {
+  const auto both = encode_pictures(files, shown, mapping, facts);
+  if (!both) return both.error();
+  return write_files(*both);
 }
 
 Result<Done> write_solutions(const std::vector<fs::path>& files, const SolvedSurfaces& solved) {

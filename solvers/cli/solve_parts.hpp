@@ -12,6 +12,7 @@
 #include "etendue/io/solution_file.hpp"
 #include "memory.hpp"
 #include "options.hpp"
+#include "tone_options.hpp"
 
 // What all methods of `etendue solve` share.
 namespace etendue::cli {
@@ -21,8 +22,7 @@ struct SolutionRequest {
   CommonOptions common;
   std::filesystem::path scene;
   std::vector<std::filesystem::path> written;  ///< --write
-  double exposure =
-      0;  ///< 0, which --exposure does not take: so that white is the brightest surface that does not emit
+  ToneOptions tone;
   int samples = 3;
   double element_size = 0;  ///< 0, which --element-size does not take: as the scene says
   bool align_mesh = false;  ///< or as the scene says
@@ -31,7 +31,7 @@ struct SolutionRequest {
 /// Declares --element-size and --align-mesh.
 void add_meshing(Options& options, SolutionRequest& request);
 
-/// Declares --exposure, --samples, --write and what every command understands.
+/// Declares --exposure and the like, --samples, --write and what every command understands.
 void add_results(Options& options, SolutionRequest& request);
 
 /// What a run has written; empty paths for what it has not.
@@ -57,9 +57,22 @@ void tell_left_out(std::ostream& err, const SolutionRequest& request, const Scen
 [[nodiscard]] Result<Image> drawn(const Scene& scene, const ElementMesh& mesh, const VertexRadiosities& vertices,
                                   const SolutionRequest& request, std::ostream& err);
 
-/// Writes both pictures: radiosities as EXR, what is displayed of them as PNG, with `facts` inside.
-[[nodiscard]] Result<Done> write_pictures(const SolutionFiles& files, const Image& radiosities, const Image& displayed,
-                                          double exposure, ImageMetadata facts);
+/// What linear values are multiplied by, in the PNG, where it is linear, and in files for other programs: so that white
+/// is the brightest surface that does not emit, unless --exposure says otherwise.
+[[nodiscard]] double linear_exposure(const ToneOptions& tone, double white_level);
+
+/// A picture before it is written.
+struct Shown {
+  Image radiosities;     ///< [W/m²]
+  ToneMapped displayed;  ///< of them
+};
+
+/// Both pictures as files: radiosities as EXR, what is displayed of them as PNG, with `facts` inside.
+[[nodiscard]] Result<std::vector<NewFile>> encode_pictures(const SolutionFiles& files, const Shown& shown,
+                                                           const ToneMapping& mapping, ImageMetadata facts);
+/// Writes both.
+[[nodiscard]] Result<Done> write_pictures(const SolutionFiles& files, const Shown& shown, const ToneMapping& mapping,
+                                          const ImageMetadata& facts);
 
 /// Writes the solution to these files, all or none.
 [[nodiscard]] Result<Done> write_solutions(const std::vector<std::filesystem::path>& files,

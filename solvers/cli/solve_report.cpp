@@ -120,9 +120,8 @@ Json summary(const SolveReport& report, bool all_sensors) {
   json["program"] = std::string("etendue ") + version();
   json["method"] = "radiosity, full matrix";
   json["status"] = status(report);
-  json["scene"] = {{"name", report.file.scene.name},
-                   {"hash", report.file.hash},
-                   {"metres_per_unit", report.file.scene.metres_per_unit}};
+  json["scene"] = scene_json(report.file);
+  json["camera"] = view_json(report.file.scene);
   json["settings"] = {{"solver", report.solver},
                       {"tolerance_free", report.tolerance.free.relative},
                       {"tolerance_obstructed", report.tolerance.obstructed.relative}};
@@ -163,6 +162,7 @@ Json element_json(const SolveReport& report, std::size_t k) {
   const Material& material = report.file.scene.materials[report.mesh.face_of(element).material];
   Json json{{"element", k},
             {"object", object_name(report, k)},
+            {"face", element.face},
             {"patch", element.patch},
             {"material", material.name},
             {"centroid", triple(element.polygon.centroid())},
@@ -170,6 +170,7 @@ Json element_json(const SolveReport& report, std::size_t k) {
             {"normal", triple(element.polygon.normal())},
             {"reflectance", triple(material.rho)},
             {"emission", triple(material.emission)}};
+  for (const Vec3& vertex : element.polygon.vertices()) json["vertices"].push_back(triple(vertex));
   if (report.solution) {
     json["radiosity"] = triple(report.solution->radiosity[k]);
     for (std::size_t c = report.solution->solved; c < 3; ++c) json["radiosity"][c] = nullptr;
@@ -180,6 +181,8 @@ Json element_json(const SolveReport& report, std::size_t k) {
             {report.enclosure->lower[k](channel), report.enclosure->upper[k](channel)});
       }
     }
+    const auto& covered = report.closure.covered;
+    if (std::binary_search(covered.begin(), covered.end(), k)) json["covered"] = true;
     json["row_sum"] = report.closure.row_sums(static_cast<Eigen::Index>(k));
   } else {
     json["row_done"] = static_cast<bool>(report.matrix.row_done[k]);
@@ -268,6 +271,8 @@ std::string summary_json(const SolveReport& report) {
 
 std::string full_json(const SolveReport& report) {
   Json json = summary(report, true);
+  json["faces"] = faces_json(report.mesh);
+  json["contacts"] = contacts_json(report.mesh);
   json["elements"] = Json::array();
   for (std::size_t k = 0; k < report.mesh.elements.size(); ++k) json["elements"].push_back(element_json(report, k));
   const std::string text = dumped(json) + "\n";

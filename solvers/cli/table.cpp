@@ -16,6 +16,7 @@
 #include "render_command.hpp"
 #include "solve_command.hpp"
 #include "validate_command.hpp"
+#include "view_command.hpp"
 
 namespace etendue::cli {
 
@@ -85,6 +86,7 @@ int dispatch(const std::vector<std::string>& arguments, std::ostream& out, std::
 const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"solve", "solve a scene by radiosity", solve},
+      {"view", "show a saved solution from any side", view},
       {"form-factors", "find the form factors between a scene's surfaces", form_factors},
       {"render", "render a scene by ray tracing", render},
       {"catalogue", "closed-form form factors: list, page, picture, value", catalogue},

@@ -6,7 +6,9 @@
 #include "etendue/assembly/closure.hpp"
 #include "etendue/assembly/scene_radiosity.hpp"
 #include "etendue/core/rounding.hpp"
+#include "etendue/io/camera_file.hpp"
 #include "etendue/io/scene_reader.hpp"
+#include "etendue/view/radiosity_view.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 
@@ -134,6 +136,72 @@ TEST(Room, IsClosedAndKeepsItsPower) {
     EXPECT_TRUE(near(channel.balance.absorbed, channel.balance.emitted, escaped + defect + rounding));
     EXPECT_TRUE(near(channel.balance.defect, 0, defect + rounding));
   }
+}
+
+/// What each pixel shows of the room: the index of an object, or −1 for nothing.
+std::vector<int> shown_objects(const Camera& camera, const ElementMesh& mesh) {
+  std::vector<Rgb> number;
+  for (const Element& element : mesh.elements) {
+    number.push_back(Rgb::Constant(static_cast<double>(mesh.face_of(element).object)));
+  }
+  VertexRadiosities flat;  // not extrapolated: an object's pixels all have its number
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    flat.corners.emplace_back(mesh.elements[k].polygon.vertices().size(), number[k]);
+  }
+  std::vector<int> objects;
+  const Image picture = view_radiosities(camera, mesh, flat, Rgb::Constant(-1), 1).value();
+  for (const Rgb& pixel : picture.pixels) objects.push_back(static_cast<int>(std::lround(pixel(0))));
+  return objects;
+}
+
+// CLAIM      IU.f62, IU.6.5v: the five views of scenes/room/cameras.json, of one solution, show together every surface that the text
+//            names and no other; those from inside the room show nothing but the room; and what they show has the text's colours:
+//            walls red, blue, light grey and black, boxes yellow and grey.
+// ORACLE     render: which object each pixel shows; the order of the channels that a colour's name means.
+// TOLERANCE  none: means over all pixels of an object and a view. "Grey" in a room with coloured walls: its largest channel
+//            below twice its smallest; "light grey" more than twice as bright as "black".
+TEST(Room, FiveViewsShowItsSurfacesAndColours) {
+  proves({"IU.f62", "IU.6.5v"}, Oracle::render, "what each pixel shows");
+  const Scene scene = coarse_room();
+  const Solved room = solved(scene);
+  const VertexRadiosities vertices = vertex_radiosities(room.mesh, room.radiosity.radiosity, room.closure.covered);
+  const auto cameras = read_cameras(source_root() / "scenes/room/cameras.json", scene.metres_per_unit);
+  ASSERT_TRUE(cameras.ok());
+  EXPECT_EQ(cameras->size(), 5u);
+  std::map<std::string, Rgb> sums;
+  std::map<std::string, double> counts;
+  std::uint64_t outside = 0, inside = 0;
+  for (const NamedCamera& one : *cameras) {
+    Camera camera = one.camera;
+    camera.columns /= 4;
+    camera.rows /= 4;
+    const std::vector<int> objects = shown_objects(camera, room.mesh);
+    const Image picture = view_radiosities(camera, room.mesh, vertices, Rgb::Zero(), 1).value();
+    for (std::size_t k = 0; k < objects.size(); ++k) {
+      if (camera.eye.y() > 0) {
+        ++inside;
+        outside += objects[k] < 0;
+      }
+      if (objects[k] < 0) continue;
+      const std::string& name = scene.objects[static_cast<std::size_t>(objects[k])].name;
+      const std::string kind = name.substr(0, name.find(','));
+      sums.emplace(kind, Rgb::Zero()).first->second += picture.pixels[k];
+      ++counts[kind];
+    }
+  }
+  EXPECT_TRUE(all_agree(outside, inside)) << "pixels that see through the room";
+  std::map<std::string, Rgb> means;
+  for (const auto& [kind, sum] : sums) means[kind] = sum / counts[kind];
+  EXPECT_EQ(means.size(), 9u) << "four walls, floor, ceiling, two boxes, the light";
+  const auto brightness = [&](const char* kind) { return means.at(kind).mean(); };
+  const Rgb red = means.at("red wall"), blue = means.at("blue wall"), yellow = means.at("yellow box");
+  EXPECT_TRUE(holds(red(0) > 3 * red(1) && red(0) > 3 * red(2)));
+  EXPECT_TRUE(holds(blue(2) > 3 * blue(0) && blue(2) > 3 * blue(1)));
+  EXPECT_TRUE(holds(yellow(0) > 3 * yellow(2) && yellow(1) > 3 * yellow(2)));
+  for (const char* grey : {"light grey wall", "black wall", "grey box"}) {
+    EXPECT_TRUE(holds(means.at(grey).maxCoeff() < 2 * means.at(grey).minCoeff())) << grey;
+  }
+  EXPECT_TRUE(holds(brightness("light grey wall") > 2 * brightness("black wall")));
 }
 
 // CLAIM      IU.6.8: colours bleed: the red wall on the near side of the yellow box, the blue wall on that of the grey

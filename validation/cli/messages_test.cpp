@@ -115,7 +115,8 @@ TEST(Program, PrintsNothingThatCommandsATerminal) {
     {"type": "sphere", "name": ")" + json + R"(", "material": "glowing)" +
                                                               json + R"(", "centre": [1, 1, 1], "radius": 0.1},)"))
                                .string();
-  const auto [name, text] = room_texts().front();  // a .vs3, whose names have no blanks
+  const std::string solution = (folder.path() / "g.json").string();  // by one of the runs below
+  const auto [name, text] = room_texts().front();                    // a .vs3, whose names have no blanks
   const std::string view3d =
       folder.add(name, replaced(replaced(text, "T box", "T \x1b[2J\xC2\x9B"), "wall-0", "\x1b[2J\xC2\x9B\xFF"))
           .string();
@@ -136,6 +137,13 @@ TEST(Program, PrintsNothingThatCommandsATerminal) {
            {"solve", glowing, "--method=progressive", "--resolution=64", "--json", "--output",
             (folder.path() / "p.png").string()},
            {"solve", glowing, "--tolerance=1e-2", "--output", (folder.path() / (raw + ".png")).string()},
+           {"view", solution, "--output", (folder.path() / "v.png").string()},
+           {"view", solution, "--json", "--output", (folder.path() / "v.png").string()},
+           {"view", solution, "--output", (folder.path() / (raw + ".png")).string()},
+           {"view", (folder.path() / raw).string()},
+           {"view", solution, "--eye", raw},
+           {"view", solution, "--camera", folder.add("e.json", "{\"" + json + "\": 1}").string()},
+           {"view", solution, "--scene", (folder.path() / raw).string()},
        }) {
     all.push_back(more);
   }

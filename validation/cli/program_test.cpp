@@ -371,6 +371,7 @@ TEST(Program, SampleRunsWork) {
   std::uint64_t wrong = 0, decided = 0;
   for (const auto& command : std::vector<std::vector<std::string>>{{"--help"},
                                                                    {"solve", "--help"},
+                                                                   {"view", "--help"},
                                                                    {"form-factors", "--help"},
                                                                    {"render", "--help"},
                                                                    {"catalogue", "--help"}}) {

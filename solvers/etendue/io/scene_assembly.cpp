@@ -3,23 +3,18 @@
 
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "etendue/io/camera_file.hpp"
 #include "etendue/io/material_reader.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/shape_reader.hpp"
 #include "etendue/meshing/division.hpp"
-#include "etendue/scene/camera_frame.hpp"
 
 namespace etendue {
 
 namespace {
 
 constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
-
-/// 2^28 pixels, what an image file may have (io/image_file.cpp); 65536 on one side.
-constexpr long kMostPixels = 1L << 28;
-constexpr long kLongestSide = 65536;
 
 class Assembly {
  public:
@@ -87,49 +82,10 @@ class Assembly {
     if (const auto node = top.member("ambient")) scene_.ambient = node->colour(kNonNegative).value_or(Rgb::Zero());
     if (const auto node = top.member("align_mesh")) scene_.align_mesh = node->truth().value_or(false);
     if (const auto node = top.member("camera")) {
-      read_camera(*node);
+      scene_.camera = read_camera(*node);
     } else {
       top.complain("found no key \"camera\", expected one: it is mandatory in the main file");
     }
-  }
-
-  void read_camera(const SceneNode& node) {
-    if (!node.is(keys_of("camera"))) return;
-    const std::size_t errors_before = errors_.count();
-    Camera& camera = scene_.camera;
-    if (const auto eye = node.member("eye")) camera.eye = eye->vector().value_or(camera.eye);
-    if (const auto up = node.member("up")) camera.up = up->direction().value_or(camera.up);
-    if (const auto angle = node.member("horizontal_fov_deg")) {
-      const auto degrees = angle->number({0, 180, true, true});
-      if (degrees) camera.horizontal_half_angle = *degrees / 2 * std::numbers::pi / 180;
-    }
-    if (const auto resolution = node.member("resolution")) read_resolution(*resolution);
-    const auto look_at = node.member("look_at"), gaze = node.member("gaze");
-    if (look_at.has_value() == gaze.has_value()) {
-      node.complain(std::string("found ") + (gaze ? "both \"look_at\" and" : "neither \"look_at\" nor") +
-                    " \"gaze\", expected one of them");
-    }
-    if (gaze) camera.gaze = gaze->direction().value_or(camera.gaze);
-    if (look_at) {
-      const auto target = look_at->vector();
-      if (target && *target == camera.eye) look_at->complain("found the point of \"eye\", expected another point");
-      if (target) camera.gaze = *target - camera.eye;
-    }
-    if (errors_.count() > errors_before) return;
-    if (const auto frame = camera_frame(camera); !frame) node.complain(frame.error().message);
-  }
-
-  void read_resolution(const SceneNode& node) {
-    const auto sides = read_two(node, "integers (columns, rows)", kLongestSide);
-    if (!sides) return;
-    const auto [columns, rows] = *sides;
-    if (static_cast<long>(columns) * rows > kMostPixels) {
-      node.complain("found " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels, expected at most " +
-                    std::to_string(kMostPixels));
-      return;
-    }
-    scene_.camera.columns = columns;
-    scene_.camera.rows = rows;
   }
 
   void read_lights(const SceneNode& lights, const Placement& placement) {
@@ -183,17 +139,6 @@ class Assembly {
     for (const auto& [material, index] : material_index_) known.push_back(material);
     member->expected("a material of this scene" + did_you_mean(*name, known));
     return std::nullopt;
-  }
-
-  /// Two counts from 1 to `most`; what is none is reported.
-  static std::optional<std::pair<int, int>> read_two(const SceneNode& node, const std::string& what, long most) {
-    const auto nodes = node.items(2, 2, what);
-    std::vector<int> counts;
-    for (const SceneNode& one : nodes) {
-      if (const auto count = one.integer(1, most)) counts.push_back(static_cast<int>(*count));
-    }
-    if (nodes.size() != 2 || counts.size() != 2) return std::nullopt;
-    return std::pair(counts[0], counts[1]);
   }
 
   Subdivision read_subdivision(const SceneNode& node) const {

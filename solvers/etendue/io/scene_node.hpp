@@ -56,6 +56,8 @@ class SceneNode {
 
   const JsonValue& json() const { return *json_; }
   const std::string& pointer() const { return pointer_; }
+  /// Where the faults of its file are told.
+  const SceneErrors& errors() const { return *errors_; }
   /// File, line, column and pointer, as messages begin: "scene.json:29:5: /objects/1".
   [[nodiscard]] std::string where() const;
 
