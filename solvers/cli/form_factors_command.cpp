@@ -19,12 +19,14 @@
 #include "etendue/core/version.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/io/checkpoint.hpp"
+#include "etendue/io/length_unit.hpp"
 #include "etendue/io/matrix_file.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/surface_file.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "form_factors_report.hpp"
+#include "form_factors_request.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "stop.hpp"
@@ -36,68 +38,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr double kNotGiven = -1;
-constexpr Tolerance kDefault{1e-6, 1e-9};
-/// Of the rough methods nothing is asked unless the user does: every bound reaches it.
-constexpr Tolerance kNothing{1, 1};
-constexpr int kMostPoints = 16;
-constexpr int kMostRays = 1000000000;
-
-struct Request {
-  CommonOptions common;
-  fs::path scene;
-  std::string method = "exact";
-  Tolerance tolerance{kNotGiven, kNotGiven};
-  std::pair<std::string, std::string> pair;  ///< as given; empty: the whole matrix
-  bool resume = false;
-  bool repair = false;
-  double drop = 0;
-  int rays = RaySettings{}.rays;
-  int seed = 1;
-  HemicubeSettings pixels;
-
-  bool by_pixels() const { return method == "hemicube" || method == "tetrahedron"; }
-  bool rough() const { return method == "rays" || by_pixels(); }
-};
-
-void declare(Options& options, Request& request) {
-  options.argument("SCENE", "surfaces: .json, .vs3 (View3D), .obj or .stl", request.scene);
-  options.choice(
-      "--method", {"exact", "certified", "rays", "hemicube", "tetrahedron"},
-      "exact integration (default), proved enclosures; rough: counting rays, or the pixels of a hemicube or of a "
-      "cubic tetrahedron",
-      request.method);
-  options.real("--relative", "X", "error asked of a factor, relative to it (default: 1e-6)", request.tolerance.relative,
-               0, 1);
-  options.real("--absolute", "X", "or absolute, whichever is looser (default: 1e-9)", request.tolerance.absolute, 0, 1);
-  options.two_texts("--pair", "I J", "print this pair only: surfaces by number, from 1, or by name", request.pair);
-  options.integer("--rays", "N", "rays from every surface, for --method rays (default: 10000)", request.rays, 1,
-                  kMostRays);
-  options.integer("--seed", "N", "other rays or rotations (default: 1)", request.seed, 0, kMostRays);
-  options.integer("--resolution", "N", "pixels along an edge, even, for hemicube and tetrahedron (default: 200)",
-                  request.pixels.resolution, kLeastResolution, kMostResolution);
-  options.integer("--points", "N", "along each side of a surface that pixels are put around (default: 1)",
-                  request.pixels.points, 1, kMostPoints);
-  options.flag("--rotate", "turn each hemicube or tetrahedron about its normal at random", request.pixels.rotate);
-  options.flag("--repair-closure", "change factors by least squares until rows sum to one; says what it changed",
-               request.repair);
-  options.real("--drop", "X", "write factors below X in both directions as zero; says what that leaves out",
-               request.drop, 0, 1);
-  options.flag("--resume", "go on with the run that left FILE.checkpoint", request.resume);
-  add_common(options, request.common, "write the matrix: .csv, .npy, .mtx, .json, or .vf as View3D does");
-  options.alias("-o", "--output");
-  options.note(
-      "Row i of the matrix holds the factors from surface i. Without --output a summary is printed. While the matrix\n"
-      "grows it lies in FILE.checkpoint: after Ctrl-C (exit code 6) or a crash, --resume goes on with it, to the same\n"
-      "bits. Where a factor's bound exceeds both tolerances the matrix is written all the same, and the exit code is "
-      "4.");
-  options.example("etendue form-factors scenes/furnace/scene.json");
-  options.example("etendue form-factors scenes/furnace/scene.json --relative 1e-9 -o furnace.csv");
-  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --pair floor window");
-  options.example("etendue form-factors scenes/l-room/scene.vs3 --relative 1e-3 --output l-room.vf");
-  options.example("etendue form-factors scenes/furnace/scene.json --method hemicube --resolution 100 --rotate");
-  options.example("etendue form-factors scenes/furnace/scene.json --method rays --rays 1000 --json");
-}
+using Request = FormFactorsRequest;
 
 /// The row that the user means by a number from 1 or by a name; a name goes before a number.
 std::optional<std::size_t> row_of(const SurfaceModel& model, const std::string& word) {
@@ -117,21 +58,7 @@ class Run {
 
   int run() {
     const fs::path& output = request_.common.output;
-    if (!output.empty()) {
-      if (const auto known = check_matrix_path(output); !known)
-        return options_.usage_error(err_, known.error().message);
-      std::error_code absent;
-      if (fs::equivalent(output, request_.scene, absent)) {
-        return options_.usage_error(err_, quoted_path(output) + " would replace the scene; name another file");
-      }
-    }
-    if (request_.pixels.resolution % 2 != 0) {
-      return options_.usage_error(
-          err_, "--resolution: found " + std::to_string(request_.pixels.resolution) + ", expected an even number");
-    }
     const bool one_pair = !request_.pair.first.empty();
-    if (one_pair && !output.empty()) return options_.usage_error(err_, "--pair prints one pair: leave --output out");
-    if (request_.resume && output.empty()) return options_.usage_error(err_, "--resume needs the --output of the run");
     if (!output.empty()) {
       if (const auto writable = check_writable({output}); !writable) return fail(writable.error());
     }
@@ -148,6 +75,8 @@ class Run {
                        (request_.by_pixels() ? " projects polygons onto its pixels" : " encloses polygons only") +
                        "; exact and rays take spheres, discs and cylinders"});
     }
+    if (!request_.unit.empty()) model_.metres_per_unit = metres_of(request_.unit);
+    if (const auto same = resumable(); !same) return fail(same.error());
     for (const std::string& note : model_.notes) err_ << "etendue form-factors: " << printable(note) << '\n';
     begin_ = Clock::now();  // looking around, which some methods do first, is a part of the work
     method_ = made_method();
@@ -243,6 +172,16 @@ class Run {
 
   fs::path checkpoint_path() const { return request_.common.output.string() + ".checkpoint"; }
 
+  /// Rough methods look around first: what would be refused afterwards is refused before.
+  Result<Done> resumable() const {
+    std::error_code absent;
+    if (!request_.resume || !request_.rough() || !fs::exists(checkpoint_path(), absent)) return Done{};
+    const auto opened = open_checkpoint(checkpoint_path(), checkpoint_key(model_, settings()), areas_of(model_),
+                                        CheckpointStart::resume);
+    if (!opened) return opened.error();
+    return Done{};
+  }
+
   Result<ExchangeMatrix> begun() const {
     std::vector<double> areas = areas_of(model_);
     if (request_.common.output.empty()) return ExchangeMatrix(std::move(areas));
@@ -279,7 +218,7 @@ class Run {
     if (!fill(elements)) return stopped(elements);
     ExchangeMatrix rows = model_.plain() ? elements : composed(model_, elements);
     RowClosure closure = row_closure(rows);
-    std::vector<std::string> remarks;
+    std::vector<std::string> remarks = buried_remark(model_, closure);
     if (request_.repair) {
       auto repair = repaired(rows, closure);
       if (!repair) return fail(repair.error());
@@ -384,12 +323,9 @@ class Run {
 int form_factors(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   Request request;
   Options options("form-factors", "Find the form factors (view factors) between the surfaces of a scene, with bounds.");
-  declare(options, request);
+  request.declare(options);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  const bool asked = request.tolerance.relative != kNotGiven || request.tolerance.absolute != kNotGiven;
-  const Tolerance otherwise = request.rough() && !asked ? kNothing : kDefault;
-  if (request.tolerance.relative == kNotGiven) request.tolerance.relative = otherwise.relative;
-  if (request.tolerance.absolute == kNotGiven) request.tolerance.absolute = otherwise.absolute;
+  if (const auto useless = request.complete()) return options.usage_error(err, *useless);
   return Run(options, request, out, err).run();
 }
 

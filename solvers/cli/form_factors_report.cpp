@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <ostream>
 
+#include "etendue/assembly/closure.hpp"
 #include "etendue/core/interval.hpp"
 #include "etendue/core/version.hpp"
 #include "etendue/text/number_text.hpp"
@@ -54,6 +55,12 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// What areas are in.
+std::string unit_of(const SurfaceModel& model) {
+  if (!model.metres_per_unit) return "not known: areas are in the square of the file's own (--unit says which)";
+  return shortest(*model.metres_per_unit) + " m: areas are in its square";
+}
+
 /// What the bounds of a method are worth.
 std::string bound_kind(const std::string& method, const SurfaceModel& model, const TileReport& what) {
   if (method == "rays") return "holds with probability 1 − 1e-6 each";
@@ -101,6 +108,20 @@ Json kinds(const TileReport& what) {
 }
 
 }  // namespace
+
+std::vector<std::string> buried_remark(const SurfaceModel& model, const RowClosure& closure) {
+  constexpr std::size_t kMostJudged = 256;  // each costs a look at every face in all directions
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < closure.covered.size() && k < kMostJudged; ++k) {
+    const ComposedRow& row = model.rows[closure.covered[k]];
+    const bool buried = std::all_of(row.terms.begin(), row.terms.end(), [&](const ComposedRow::Term& term) {
+      return term.element < model.mesh.elements.size() && is_covered(model.mesh, model.mesh.elements[term.element]);
+    });
+    if (buried) names.push_back(row.name);
+  }
+  if (names.empty()) return {};
+  return {"surfaces that see nothing, since they lie inside or under others: " + listed(names)};
+}
 
 void print_matrix_report(std::ostream& out, const MatrixReport& report) {
   const RowClosure& closure = report.closure;
@@ -173,6 +194,7 @@ void print_pair_report(std::ostream& out, const PairReport& report) {
   const SurfaceModel& model = report.model;
   out << "from         " << called(model, report.from) << ", area " << exact(model.rows[report.from].area) << '\n'
       << "to           " << called(model, report.to) << ", area " << exact(model.rows[report.to].area) << '\n'
+      << "unit         " << unit_of(model) << '\n'
       << "factor       " << exact(report.forth.value) << " ± " << rounded(report.forth.bound) << '\n'
       << "back         " << exact(report.back.value) << " ± " << rounded(report.back.bound) << '\n';
   if (!report.manners.empty()) {
@@ -207,6 +229,7 @@ void print_pair_report(std::ostream& out, const PairReport& report) {
 
 std::string pair_report_json(const PairReport& report) {
   Json json;
+  if (report.model.metres_per_unit) json["metres_per_unit"] = *report.model.metres_per_unit;
   json["from"] = {{"number", report.from + 1},
                   {"name", row_name(report.model, report.from)},
                   {"area", report.model.rows[report.from].area}};

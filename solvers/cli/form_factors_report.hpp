@@ -19,9 +19,12 @@ struct MatrixReport {
   std::string method;
   Tolerance tolerance;
   std::filesystem::path scene, output;  ///< output: empty where no file is asked for
-  std::vector<std::string> remarks;     ///< what was done to the matrix: repair, dropped factors
+  std::vector<std::string> remarks;     ///< what stands out, and what was done to the matrix: repair, dropped factors
   double seconds = 0;
 };
+
+/// One remark that names rows that see nothing because they lie inside or under others; nothing where there are none.
+[[nodiscard]] std::vector<std::string> buried_remark(const SurfaceModel& model, const RowClosure& closure);
 
 void print_matrix_report(std::ostream& out, const MatrixReport& report);
 /// One JSON object; numbers to the last bit.

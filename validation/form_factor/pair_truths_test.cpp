@@ -118,23 +118,22 @@ TEST(FormFactor, HasAReferenceThatItsOracleMakesAgain) {
 // ORACLE     oracles/pair_dilogarithm: logarithms, arcs and dilogarithms at 448 bits.
 // TOLERANCE  the returned bound; the radii of the table and of the closed form.
 TEST(FormFactor, AgreesWithTheClosedFormInDilogarithms) {
-  proves({"IU.6-3"}, Oracle::closed_form, "24 pairs of each of nine families, dilogarithms in 448-bit balls");
+  proves({"IU.6-3"}, Oracle::closed_form, "24 pairs of each of ten families, dilogarithms in 448-bit balls");
   uses_seed(pairs::kSeed);
   ASSERT_EQ(truths().size(), kPairs);
-  constexpr std::size_t kOfEach = 24, kStandingOn = 4;  // a floor that reaches behind its wall would have to be cut
+  constexpr std::size_t kOfEach = 24;
   for (std::size_t family = 0; family < pairs::kFamilyCount; ++family) {
-    if (family == kStandingOn) continue;
     std::size_t judged = 0;
     for (std::size_t i = 0; i < pairs::kPairsPerFamily && judged < kOfEach; i += 7) {
       const pairs::Pair pair = pairs::make(family, i);
-      const auto exact = pair.exact_frame ? oracle::pair_dilogarithm(pair.from, pair.to) : std::nullopt;
-      if (!exact) continue;
+      if (!pair.exact_frame) continue;  // elsewhere loops are bent, and the table takes them as flat
+      const auto exact = oracle::pair_dilogarithm(pair.from, pair.to);
       ++judged;
       const Truth& truth = truths()[family * pairs::kPairsPerFamily + i];
-      EXPECT_TRUE(near(exact->high - truth.high + exact->low, truth.low, exact->radius + truth.radius))
+      EXPECT_TRUE(near(exact.high - truth.high + exact.low, truth.low, exact.radius + truth.radius))
           << pairs::kFamilies[family] << ' ' << i;
       const Bounded f = form_factor(boundary(pair.from), boundary(pair.to), {1e-12, 0});
-      EXPECT_TRUE(near(f.value - exact->high, exact->low, f.bound + exact->radius))
+      EXPECT_TRUE(near(f.value - exact.high, exact.low, f.bound + exact.radius))
           << pairs::kFamilies[family] << ' ' << i;
     }
     EXPECT_EQ(judged, kOfEach) << pairs::kFamilies[family];

@@ -149,37 +149,45 @@ Real parallel_antiderivative(const Real& u, const Real& h) {
   return half * (f * log(f) - f) - u * u + Real(2) * h * u * atan(u / h) - h * h * log(f);
 }
 
+/// What cuts have made is a ball; nothing that is not zero is as small as this, since every coordinate is a double of size
+/// order one, or zero: the degree of what is formed from them and from cuts is below eighteen.
+constexpr double kZero = 0x1p-900;
+
+Exact settled(const Exact& x) {
+  return std::abs(x.midpoint()) + x.radius() < kZero ? Exact(0) : x;
+}
+
 /// ∬ ln f times U·V over the edges a + λU and b + μV, λ and μ in [0, 1].
 Real edge_pair(const Corner& a, const Corner& u, const Corner& b, const Corner& v) {
-  const Exact product = dot(u, v);
+  const Exact product = settled(dot(u, v));
   if (product.exactly_zero()) return Real(0);
   const Corner w = b - a, normal = cross(u, v);
-  const Exact square = dot(normal, normal), uu = dot(u, u), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
+  const Exact square = settled(dot(normal, normal)), uu = dot(u, u), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
   const Real length_u = sqrt(Real(uu)), length_v = sqrt(Real(vv)), cosine = Real(product) / (length_u * length_v);
   Real total;
   if (square.exactly_zero()) {
     const Corner off = cross(w, u);
-    const Exact off_square = dot(off, off);
+    const Exact off_square = settled(dot(off, off));
     const Real h = off_square.exactly_zero() ? Real(0) : sqrt(Real(off_square / uu));
     const Real sign = product.certainly_positive() ? Real(1) : Real(-1);
     for (int i = 0; i < 2; ++i) {
       for (int j = 0; j < 2; ++j) {
         // along U from a: λ|U| − (w + μV)·U/|U|, its numerator exact
-        const Exact along = Exact(i) * uu - wu - Exact(j) * product;
+        const Exact along = settled(Exact(i) * uu - wu - Exact(j) * product);
         const Real p = parallel_antiderivative(along.exactly_zero() ? Real(0) : Real(along) / length_u, h);
         total = i == j ? total + p : total - p;
       }
     }
     return cosine * (-sign * total);
   }
-  const Exact volume = dot(w, normal);
+  const Exact volume = settled(dot(w, normal));
   Skew lines{cosine, sqrt(Real(square)) / (length_u * length_v), Real(0), volume.exactly_zero()};
   if (!lines.meet) lines.h = magnitude(Real(volume)) / sqrt(Real(square));
   // The feet's parameters are λ₀/square and μ₀/square.
   const Exact foot_u = wu * vv - product * wv, foot_v = product * wu - wv * uu;
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
-      const Exact from_foot_u = Exact(i) * square - foot_u, from_foot_v = Exact(j) * square - foot_v;
+      const Exact from_foot_u = settled(Exact(i) * square - foot_u), from_foot_v = settled(Exact(j) * square - foot_v);
       const Real s = from_foot_u.exactly_zero() ? Real(0) : length_u * Real(from_foot_u) / Real(square);
       const Real t = from_foot_v.exactly_zero() ? Real(0) : length_v * Real(from_foot_v) / Real(square);
       const Real d = lines.antiderivative(s, t);
@@ -211,21 +219,37 @@ Corner area_vector(const Region& region) {
   return sum;
 }
 
-bool reaches_behind(const Region& region, const Region& plane) {
+/// What of the region lies in front of the other's plane, at its first vertex (Sutherland and Hodgman 1974); every sign exact.
+Region in_front(const Region& region, const Region& plane) {
   const Corner normal = area_vector(plane);
+  Region kept;
   for (const auto& loop : region) {
-    for (const Corner& p : loop) {
-      if (dot(p - plane[0][0], normal).certainly_negative()) return true;
+    std::vector<Exact> heights;
+    for (const Corner& p : loop) heights.push_back(dot(p - plane[0][0], normal));
+    std::vector<Corner> part;
+    bool any = false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t j = (i + 1) % loop.size();
+      const Exact &here = heights[i], &there = heights[j];
+      any = any || here.certainly_positive();
+      if (!here.certainly_negative()) part.push_back(loop[i]);
+      const bool leaves = here.certainly_positive() && there.certainly_negative();
+      if (!leaves && !(here.certainly_negative() && there.certainly_positive())) continue;
+      const Exact share = here / (here - there);
+      Corner cut;
+      for (std::size_t k = 0; k < 3; ++k) cut[k] = loop[i][k] + share * (loop[j][k] - loop[i][k]);
+      part.push_back(cut);
     }
+    if (any) kept.push_back(part);
   }
-  return false;
+  return kept;
 }
 
 }  // namespace
 
-std::optional<FactorBall> pair_dilogarithm(const Loops& from, const Loops& to) {
-  const Region first = exact(from), second = exact(to);
-  if (reaches_behind(first, second) || reaches_behind(second, first)) return std::nullopt;
+FactorBall pair_dilogarithm(const Loops& from, const Loops& to) {
+  const Region whole_1 = exact(from), whole_2 = exact(to);
+  const Region first = in_front(whole_1, whole_2), second = in_front(whole_2, whole_1);
   Real sum;
   for (const auto& p : first) {
     for (const auto& q : second) {
@@ -236,7 +260,7 @@ std::optional<FactorBall> pair_dilogarithm(const Loops& from, const Loops& to) {
       }
     }
   }
-  const Corner area = area_vector(first);
+  const Corner area = area_vector(whole_1);
   Real circle;
   arb_const_pi(circle.get(), Real::kBits);
   const Real factor = sum / (Real(2) * circle * sqrt(Real(dot(area, area))));  // 4π A, A half the vector's length

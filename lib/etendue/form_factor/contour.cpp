@@ -8,6 +8,7 @@
 
 #include "etendue/form_factor/edge_decay.hpp"
 #include "etendue/form_factor/edge_terms.hpp"
+#include "etendue/form_factor/flat_pair.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
 
 namespace etendue {
@@ -69,11 +70,11 @@ class EdgePair {
     const double goal = goal_ * width, length = leading(piece.length);
     const Decay plain = plain_decay(piece, inner_);
     if (plain.rho >= kNarrowEllipse && add_gauss(length, start, width, plain, goal)) return;
-    const double deviation = planar_deviation(piece, inner_);
+    const FlatPair<T> flat = flat_pair(piece, inner_, largest_);
     const bool hopeless = pieces_ > kMostPieces;
-    if (deviation <= goal || deviation <= kRounding<T> * length * largest_ ||
-        (hopeless && deviation < largest_ * length)) {
-      add_planar(piece, deviation);
+    if (flat.deviation <= goal || flat.deviation <= kRounding<T> * length * largest_ ||
+        (hopeless && flat.deviation < largest_ * length)) {
+      add_planar(piece, flat);
       return;
     }
     if (plain.rho < kNarrowEllipse) {
@@ -95,11 +96,11 @@ class EdgePair {
 
   Triple<T> at(const T& share) const { return outer_.start + (share * outer_.length) * outer_.direction; }
 
-  void add_planar(const Edge<T>& piece, double deviation) {
-    const PlanarPair<T> pair = planar_pair(piece, inner_);
-    sum_.value = sum_.value + pair.sum.value;
-    sum_.truncation += deviation + std::numbers::pi * pair.deviation * leading(piece.length);
-    sum_.rounding += kRounding<T> * pair.sum.roundings;
+  void add_planar(const Edge<T>& piece, const FlatPair<T>& flat) {
+    const Rounded<T> pair = planar_pair(piece.length, flat.start, flat.end, outer_.coordinates + inner_.coordinates);
+    sum_.value = sum_.value + pair.value + T(flat.lift);
+    sum_.truncation += flat.deviation;
+    sum_.rounding += kRounding<T> * pair.roundings;
   }
 
   bool add_gauss(double length, const T& start, double width, const Decay& decay, double goal) {

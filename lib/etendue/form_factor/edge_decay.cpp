@@ -12,14 +12,8 @@ namespace {
 constexpr double kBranchClearance = 0.7;
 /// Lines at a smaller angle are not bent around: their crossing is too uncertain.
 constexpr double kLeastSine = 1e-9;
-/// Distances below err by a few roundings of the coordinates; leading digits and roots by a few of their own.
-constexpr double kSlackRoundings = 16;
+/// Leading digits and roots err by a few roundings of their own.
 constexpr double kOwnRoundings = 1 - 0x1p-48;
-
-template <class T>
-double slack_of(const Edge<T>& a, const Edge<T>& b) {
-  return kSlackRoundings * kRounding<T> * (a.coordinates + b.coordinates);
-}
 
 double joukowski(double semi_axis) {
   return semi_axis <= 1 ? 1 : semi_axis + std::sqrt((semi_axis - 1) * (semi_axis + 1));
@@ -78,55 +72,9 @@ Decay bent_decay(const Edge<T>& outer, const Edge<T>& inner) {
   return {rho, leading(inner.length) + 0.25 * std::numbers::pi * length * (rho + 1 / rho) * factor};
 }
 
-namespace {
-
-template <class T>
-double to_segment(const Triple<T>& p, const Edge<T>& edge) {
-  const Triple<T> r = p - edge.start;
-  const double foot = leading(dot(r, edge.direction));
-  if (foot <= 0) return leading(norm(r));
-  if (foot >= leading(edge.length)) return leading(norm(p - edge.end));
-  return leading(norm(cross(r, edge.direction)));
-}
-
-/// A lower bound on the distance of two edges: their ends and the lines' crossing; where they are nearly parallel the
-/// ends alone, less what turning one of them into the other's direction moves it.
-template <class T>
-double least_distance(const Edge<T>& a, const Edge<T>& b, double slack) {
-  const double ends =
-      std::min({to_segment(a.start, b), to_segment(a.end, b), to_segment(b.start, a), to_segment(b.end, a)});
-  const auto u = widened(a.direction), v = widened(b.direction);
-  const Triple<DoubleDouble> normal = cross(u, v), gap = widened(b.start) - widened(a.start);
-  const double sine = leading(norm(normal)), turned = ends - (sine + slack) * leading(b.length);
-  const double lines = sine > 0 ? (std::abs(leading(dot(gap, normal))) - slack) / sine : 0;
-  return std::max({0.0, turned - slack, std::min(ends, lines) - slack});
-}
-
-}  // namespace
-
-template <class T>
-double planar_deviation(const Edge<T>& outer, const Edge<T>& inner) {
-  const double slack = slack_of(outer, inner), length = leading(outer.length);
-  const Triple<T> to_start = inner.start - outer.start, to_end = inner.end - outer.start;
-  // Off the outer edge's line; off the plane through it and the inner edge's middle; off the one along its direction.
-  double off = std::max(leading(norm(cross(outer.direction, to_start))), leading(norm(cross(outer.direction, to_end))));
-  const Triple<DoubleDouble> u = widened(outer.direction), v = widened(inner.direction);
-  const Triple<DoubleDouble> by_middle = cross(u, widened(to_start) + widened(to_end)), by_direction = cross(u, v);
-  const double turn = leading(norm(by_middle)), sine = leading(norm(by_direction));
-  if (turn > 0) off = std::min(off, 0.5 * leading(inner.length) * std::abs(leading(dot(v, by_middle))) / turn);
-  if (sine > 0) off = std::min(off, std::abs(leading(dot(widened(to_start), by_direction))) / sine);
-  off += slack;
-  const double touching = std::numbers::pi * off * length;
-  const double gap = least_distance(outer, inner, slack) - off;
-  if (!(gap > off)) return touching;
-  return std::min(touching, 0.5 * off * off / (gap * gap) * length * leading(inner.length));
-}
-
 template Decay plain_decay(const Edge<double>&, const Edge<double>&);
 template Decay plain_decay(const Edge<DoubleDouble>&, const Edge<DoubleDouble>&);
 template Decay bent_decay(const Edge<double>&, const Edge<double>&);
 template Decay bent_decay(const Edge<DoubleDouble>&, const Edge<DoubleDouble>&);
-template double planar_deviation(const Edge<double>&, const Edge<double>&);
-template double planar_deviation(const Edge<DoubleDouble>&, const Edge<DoubleDouble>&);
 
 }  // namespace etendue

@@ -20,8 +20,4 @@ template <class T>
 template <class T>
 [[nodiscard]] Decay bent_decay(const Edge<T>& outer, const Edge<T>& inner);
 
-/// By how much the two edges leave a common plane, or line, as a bound on what that does to ∬ ln r (NOTES.md §3).
-template <class T>
-[[nodiscard]] double planar_deviation(const Edge<T>& outer, const Edge<T>& inner);
-
 }  // namespace etendue

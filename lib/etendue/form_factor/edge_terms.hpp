@@ -25,6 +25,13 @@ Edge<T> make_edge(const Triple<T>& start, const Triple<T>& end) {
   return {start, end, leading(length) > 0 ? (T(1) / length) * vector : vector, length, reach};
 }
 
+/// Distances between two edges, formed from their coordinates, err by less.
+template <class T>
+double slack_of(const Edge<T>& a, const Edge<T>& b) {
+  constexpr double kSlackRoundings = 16;
+  return kSlackRoundings * kRounding<T> * (a.coordinates + b.coordinates);
+}
+
 /// A value, and a bound on its rounding error in units of kRounding.
 template <class T>
 struct Rounded {
@@ -100,34 +107,26 @@ Rounded<T> half_plane_pair(const T& outer, const Corner<T>& c, const Corner<T>& 
   return {(re * ex + im * ey) / length, roundings + turned};
 }
 
+/// ∬ ln r over two edges in one plane: the outer one from the origin along the real axis, the inner one from c to d, which
+/// is cut where it passes through the real axis: mirrored to one side, either part keeps to the principal logarithm.
 template <class T>
-struct PlanarPair {
-  Rounded<T> sum;
-  double deviation;  ///< by how much corners were moved onto the outer edge's line
-};
-
-/// ∬ ln r over two edges taken as in one plane. An inner edge that passes through the outer one's line is cut there:
-/// on either side the principal logarithm is continuous.
-template <class T>
-PlanarPair<T> planar_pair(const Edge<T>& outer, const Edge<T>& inner) {
-  const double coordinates = outer.coordinates + inner.coordinates;
-  const Triple<T> to_c = inner.start - outer.start, to_d = inner.end - outer.start;
-  const Triple<T> across_c = cross(outer.direction, to_c), across_d = cross(outer.direction, to_d);
-  Corner<T> c{dot(to_c, outer.direction), norm(across_c)}, d{dot(to_d, outer.direction), norm(across_d)};
+Rounded<T> planar_pair(const T& outer, Corner<T> c, Corner<T> d, double coordinates) {
   const double slack = 8 * kRounding<T> * coordinates;
-  double deviation = 0;
+  double certain = coordinates;
   for (Corner<T>* z : {&c, &d}) {
-    if (leading(z->y) > slack) continue;
-    deviation = std::max(deviation, leading(z->y) + slack);
-    z->y = T(0);
+    if (std::abs(leading(z->y)) > slack) continue;
+    z->y = T(0);  // which moves the corner as far again as it may be off
+    certain = 2 * coordinates;
   }
-  const bool apart = leading(c.y) > 0 && leading(d.y) > 0 && leading(dot(across_c, across_d)) < 0;
-  if (!apart) return {half_plane_pair(outer.length, c, d, coordinates), deviation};
+  const bool apart = leading(c.y) * leading(d.y) < 0;
+  if (leading(c.y) < 0) c.y = -c.y;
+  if (leading(d.y) < 0) d.y = -d.y;
+  if (!apart) return half_plane_pair(outer, c, d, certain);
   const T t = c.y / (c.y + d.y);
   const Corner<T> crossing{c.x + t * (d.x - c.x), T(0)};
-  const Rounded<T> first = half_plane_pair(outer.length, c, crossing, coordinates);
-  const Rounded<T> second = half_plane_pair(outer.length, crossing, d, coordinates);
-  return {{first.value + second.value, first.roundings + second.roundings}, deviation};
+  const Rounded<T> first = half_plane_pair(outer, c, crossing, certain);
+  const Rounded<T> second = half_plane_pair(outer, crossing, d, certain);
+  return {first.value + second.value, first.roundings + second.roundings};
 }
 
 }  // namespace etendue

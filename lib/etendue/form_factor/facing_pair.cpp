@@ -85,6 +85,7 @@ struct Cut {
   std::vector<Chain> chains;  ///< empty where nothing is in front
   bool clipped = false;
   double moved = 0;
+  double behind = 0;
 };
 
 DoubleDouble3 exact(const Vec3& v, const Vec3& origin) {
@@ -116,56 +117,80 @@ Chain clipped(const std::vector<Vec3>& loop, const std::vector<DoubleDouble>& he
   return kept;
 }
 
-/// What of `cut` lies in front of the plane of `by`, around `origin`; `moved` is derived in NOTES.md §7.
-Cut cut_behind(const Placed& cut, const Placed& by, const Sight& sight, const Vec3& origin) {
-  const double cosine = sight.cosine, sine = sight.sine;
-  const double unflat = cut.flatness + by.flatness;
-  std::vector<std::vector<DoubleDouble>> heights;
-  double off = 0, sharp = 0, lowest = 0, highest = 0;
-  bool in_front = false, behind = false, first = true;
+/// The heights of a region's vertices over the other's plane.
+struct Heights {
+  std::vector<std::vector<DoubleDouble>> of;
+  double off = 0;    ///< largest of those that count as zero
+  double sunk = 0;   ///< largest of them that is below
+  double sharp = 0;  ///< what the others err by
+  double lowest = 0, highest = 0;
+  bool in_front = false, behind = false;
+};
+
+Heights heights_of(const Placed& cut, const Placed& by, double cosine, Sides sides) {
+  Heights heights;
+  bool first = true;
   for (const auto& loop : cut.loops) {
-    heights.emplace_back();
+    heights.of.emplace_back();
     for (const Vec3& v : loop) {
       // A corner of the other's outline lies on every surface with that outline.
-      DoubleDouble height = is_corner(v, by.loops) ? DoubleDouble(0) : by.plane.wide_height(v);
-      lowest = first ? height.high : std::min(lowest, height.high);
-      highest = first ? height.high : std::max(highest, height.high);
+      DoubleDouble height = 0;
+      if (!is_corner(v, by.loops)) height = sides == Sides::exact ? by.plane.exact_height(v) : by.plane.wide_height(v);
+      heights.lowest = first ? height.high : std::min(heights.lowest, height.high);
+      heights.highest = first ? height.high : std::max(heights.highest, height.high);
       first = false;
-      sharp = std::max(sharp, by.plane.error(v));
+      const double error = sides == Sides::exact ? kCutError * std::abs(height.high) : by.plane.error(v);
+      heights.sharp = std::max(heights.sharp, error);
       const double touching = by.flatness + kTouching * (1 + (v - by.loops[0].front()).norm());
-      if (cosine >= 0 && std::abs(height.high) <= touching) {
-        off = std::max(off, std::abs(height.high));
+      if (sides == Sides::rounded && cosine >= 0 && std::abs(height.high) <= touching) {
+        heights.off = std::max(heights.off, std::abs(height.high));
+        heights.sunk = std::max(heights.sunk, -height.high);
         height = 0;
       }
-      in_front = in_front || height.high > 0;
-      behind = behind || height.high < 0;
-      heights.back().push_back(height);
+      heights.in_front = heights.in_front || height.high > 0;
+      heights.behind = heights.behind || height.high < 0;
+      heights.of.back().push_back(height);
     }
   }
+  return heights;
+}
+
+/// What of `cut` lies in front of the plane of `by`, around `origin`; `moved` and `behind` are derived in NOTES.md §7.
+Cut cut_behind(const Placed& cut, const Placed& by, const Sight& sight, const Vec3& origin, Sides sides) {
+  const double cosine = sight.cosine, sine = sight.sine;
+  const double unflat = cut.flatness + by.flatness;
+  const bool flat = unflat == 0;
+  const Heights heights = heights_of(cut, by, cosine, flat ? sides : Sides::rounded);
   const double most = std::min(cut.area, by.area), outline = cut.outline;
+  const auto swept = [&](double height, double rounding) {
+    return std::min(cut.area, (height / sine + rounding) * outline);
+  };
   const auto moved = [&](double height, double rounding) {
     // What the line of the cut sweeps, and what every point of it hands over.
     if (height + rounding == 0) return 0.0;
-    const double swept = std::min(cut.area, (height / sine + rounding) * outline);
     const double grazing = sight.gap > 0 ? 2 * (height + rounding) * by.area / (kPi * std::pow(sight.gap, 3)) : 1;
     const double beyond = cosine >= 0 ? 0.5 * (sine + kAngleError) * (sine + kAngleError) / (1 + cosine) : 1;
-    return std::min(most, swept * std::min({1.0, grazing, beyond}));
+    return std::min(most, swept(height, rounding) * std::min({1.0, grazing, beyond}));
   };
-  if (!in_front) {
-    if (highest + unflat <= 0 || is_reverse(cut.loops[0], by.loops[0])) return {};
-    return {{}, false, moved(off + unflat, 0)};
+  if (!heights.in_front) {
+    if (heights.highest + unflat <= 0 || is_reverse(cut.loops[0], by.loops[0])) return {};
+    return {{}, false, moved(heights.off + unflat, 0), 0};
   }
+  const bool behind = heights.behind;
   Cut result;
   result.clipped = behind;
   for (std::size_t i = 0; i < cut.loops.size(); ++i) {
-    Chain chain = behind ? clipped(cut.loops[i], heights[i], origin) : whole(cut.loops[i], origin);
+    Chain chain = behind ? clipped(cut.loops[i], heights.of[i], origin) : whole(cut.loops[i], origin);
     if (!chain.empty()) result.chains.push_back(std::move(chain));
   }
   if (behind) {
-    result.moved = moved(off + unflat + sharp, kCutError * outline);
-  } else if (off > 0 && lowest < 0) {
-    result.moved = moved(off, 0);
+    result.moved = moved(heights.off + unflat + heights.sharp, kCutError * outline);
+  } else if (heights.off > 0 && heights.lowest < 0) {
+    result.moved = moved(heights.off, 0);
   }
+  // Of a bent polygon what is within its bend is on its plane by definition; a flat one has been left behind the other's.
+  // From there the other's back is seen, and it may be near.
+  if (flat && heights.sunk > 0) result.behind = std::min(most, swept(heights.sunk, 0) * 0.5 * (1 + cosine));
   return result;
 }
 
@@ -209,7 +234,7 @@ std::vector<Vec3> localised(const std::vector<Vec3>& vertices, const Vec3& origi
   return result;
 }
 
-FacingRegions facing_regions(const Boundary& from, const Boundary& to) {
+FacingRegions facing_regions(const Boundary& from, const Boundary& to, Sides sides) {
   const Vec3& a = from.front().front();
   const Vec3& b = to.front().front();
   const double size =
@@ -217,17 +242,20 @@ FacingRegions facing_regions(const Boundary& from, const Boundary& to) {
   FacingRegions pair;
   pair.scale = std::ldexp(1.0, -std::ilogb(size));
   const Placed from_placed = placed(from, pair.scale), to_placed = placed(to, pair.scale);
+  pair.flat = from_placed.flatness == 0 && to_placed.flatness == 0;
   const Sight sight{least_sine(from_placed.plane, to_placed.plane),
                     from_placed.plane.normal().dot(to_placed.plane.normal()), gap_between(from_placed, to_placed)};
   const Vec3 origin = pair.scale * a;
-  Cut to_remains = cut_behind(to_placed, from_placed, sight, origin);
-  Cut from_remains = cut_behind(from_placed, to_placed, sight, origin);
+  Cut to_remains = cut_behind(to_placed, from_placed, sight, origin, sides);
+  Cut from_remains = cut_behind(from_placed, to_placed, sight, origin, sides);
   pair.from_area = from_placed.area;
   pair.moved = to_remains.moved + from_remains.moved;
+  pair.behind = to_remains.behind + from_remains.behind;
   if (to_remains.chains.empty() || from_remains.chains.empty()) {
     // Either cut alone decides that nothing is seen: the surer one counts.
     pair.moved = std::min(to_remains.chains.empty() ? to_remains.moved : pair.moved,
                           from_remains.chains.empty() ? from_remains.moved : pair.moved);
+    pair.behind = 0;
   }
   const DoubleDouble3 between = exact_difference(pair.scale * b, origin);
   pair.offset = {rounded(between.x), rounded(between.y), rounded(between.z)};

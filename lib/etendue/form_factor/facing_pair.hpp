@@ -23,14 +23,18 @@ struct FacingRegions {
   Vec3 offset = Vec3::Zero();  ///< leads from from's first vertex to to's
   double from_area = 0;        ///< of the whole of from, holes taken off
   double moved = 0;            ///< bound on what the cuts do to A_1 F_12, also where nothing is seen [scaled length²]
+  double behind = 0;           ///< bound on what the contour counts, with its sign, of parts left behind a plane
   double scale = 1;            ///< scaled length per length
+  bool flat = false;           ///< both exactly: Sides::exact would owe next to nothing
 
   bool sees() const { return !from.empty() && !to.empty(); }
 };
 
 /// Of two that turn the same way, vertices off the other's plane by the rounding of coordinates count as on it, so
-/// touching polygons are not cut; `moved` pays for it. Of two that turn against one another, the side is exact.
-[[nodiscard]] FacingRegions facing_regions(const Boundary& from, const Boundary& to);
+/// touching polygons are not cut; `moved` and `behind` pay for it. Of two that turn against one another, the side is exact.
+/// With Sides::exact, two exactly flat polygons are cut at the sign of every height, however small.
+enum class Sides { rounded, exact };
+[[nodiscard]] FacingRegions facing_regions(const Boundary& from, const Boundary& to, Sides sides = Sides::rounded);
 
 /// The same for two polygons, each around an origin of its own (the first vertex).
 struct FacingPair {

@@ -88,11 +88,11 @@ QuadratureSum integrate(const FacingRegions& pair, const Goal& asked) {
 
 constexpr int kFinalRoundings = 16;  // the area, its product with 2π, the division
 
-}  // namespace
+/// What roundings of twice the digits cost a factor, or more: not worth another cut.
+constexpr double kLeastOwed = 0x1p-80;
 
-Bounded form_factor(const Boundary& from, const Boundary& to, Tolerance tolerance) {
-  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "form_factor: tolerances are not negative");
-  const FacingRegions pair = facing_regions(from, to);
+/// What is in front of one another, integrated.
+Bounded factor_of(const FacingRegions& pair, Tolerance tolerance) {
   // A_1 is square to the scale, which cancels in the factor.
   const double to_factor = 1 / (2 * std::numbers::pi * pair.from_area);
   if (!pair.sees()) return {0, std::min(1.0, pair.moved / pair.from_area * (1 + gamma_bound(kFinalRoundings)))};
@@ -101,12 +101,26 @@ Bounded form_factor(const Boundary& from, const Boundary& to, Tolerance toleranc
   constexpr double kMovedShare = 2 * std::numbers::pi;  // the sum is 2π A_1 F_12
   Bounded result;
   result.value = sum.value * to_factor;
-  result.bound = (sum.truncation + sum.rounding + kMovedShare * pair.moved) * to_factor +
+  result.bound = (sum.truncation + sum.rounding + kMovedShare * (pair.moved + pair.behind)) * to_factor +
                  gamma_bound(kFinalRoundings) * std::abs(result.value);
   // 0 ≤ F ≤ 1 holds for the truth: moving the value into the range by at most its error only brings it nearer.
   result.value = std::clamp(result.value, 0.0, 1.0);
   result.bound = std::min(result.bound, 1.0);
   return result;
+}
+
+}  // namespace
+
+Bounded form_factor(const Boundary& from, const Boundary& to, Tolerance tolerance) {
+  require(tolerance.relative >= 0 && tolerance.absolute >= 0, "form_factor: tolerances are not negative");
+  const FacingRegions pair = facing_regions(from, to);
+  const Bounded result = factor_of(pair, tolerance);
+  const double owed = (pair.moved + pair.behind) / pair.from_area;
+  if (!pair.flat || owed <= kLeastOwed) return result;
+  if (result.bound <= std::max(tolerance.absolute, tolerance.relative * result.value)) return result;
+  // Hairs on the wrong side of the other's plane were left as they are: cut off, they cost corners, but no bound.
+  const Bounded cut = factor_of(facing_regions(from, to, Sides::exact), tolerance);
+  return cut.bound < result.bound ? cut : result;
 }
 
 Bounded form_factor(const Polygon& from, const Polygon& to, Tolerance tolerance) {

@@ -20,6 +20,8 @@ class SharpPlane {
   double height(const Vec3& point) const { return wide_height(point).high; }
   DoubleDouble wide_height(const Vec3& point) const;
   double error(const Vec3& point) const;
+  /// The same from the exact Newell sum: right to 2^-100 of itself, but for a factor common to all points.
+  DoubleDouble exact_height(const Vec3& point) const;
   Vec3 normal() const { return {normal_.x.high, normal_.y.high, normal_.z.high}; }
   /// Within a few u of itself.
   double area() const { return 0.5 / shrink_; }
@@ -29,9 +31,6 @@ class SharpPlane {
   friend double least_sine(const SharpPlane& a, const SharpPlane& b);
 
  private:
-  /// The same from the exact Newell sum, for points so near that the sign is not certain.
-  DoubleDouble exact_height(const Vec3& point) const;
-
   std::vector<Vec3> vertices_;
   DoubleDouble3 normal_;     ///< of length one within a few u
   double normal_error_ = 0;  ///< bound on what its components miss

@@ -22,19 +22,6 @@ Vec3 way_out(const Vec3& normal, int k) {
   return height * normal + radius * (std::cos(turn) * u + std::sin(turn) * v);
 }
 
-bool is_covered(const ElementMesh& mesh, const Element& element) {
-  const auto meets_a_face = [&](const Ray& ray) {
-    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-      if (f != element.face && intersect(ray, mesh.faces[f].polygon)) return true;
-    }
-    return false;
-  };
-  for (int k = 0; k < kWaysOut; ++k) {
-    if (!meets_a_face({element.polygon.centroid(), way_out(element.polygon.normal(), k)})) return false;
-  }
-  return true;
-}
-
 Outlook outlook(const ElementMesh& mesh, std::size_t k, double sum, double bound) {
   if (sum <= bound) return is_covered(mesh, mesh.elements[k]) ? Outlook::covered : Outlook::facing_void;
   if (sum > 1 + bound) return Outlook::exceeded;
@@ -66,6 +53,19 @@ void enter(ClosureReport& report, std::size_t k) {
 }
 
 }  // namespace
+
+bool is_covered(const ElementMesh& mesh, const Element& element) {
+  const auto meets_a_face = [&](const Ray& ray) {
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+      if (f != element.face && intersect(ray, mesh.faces[f].polygon)) return true;
+    }
+    return false;
+  };
+  for (int k = 0; k < kWaysOut; ++k) {
+    if (!meets_a_face({element.polygon.centroid(), way_out(element.polygon.normal(), k)})) return false;
+  }
+  return true;
+}
 
 ClosureReport closure_report(const ElementMesh& mesh, const FormFactorMatrix& matrix) {
   require(matrix.complete && mesh.elements.size() == static_cast<std::size_t>(matrix.factors.rows()),

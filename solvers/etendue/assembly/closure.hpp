@@ -20,6 +20,10 @@ enum class Outlook {
 /// Directions in which an element without a view looks for a way out; found_covered() says how they are spread.
 inline constexpr int kWaysOut = 64;
 
+/// Do surfaces all around show this element their backs? Of one that sees nothing: it lies inside or under something.
+/// Accuracy  as closure_report() says
+[[nodiscard]] bool is_covered(const ElementMesh& mesh, const Element& element);
+
 /// How well the matrix closes.                                                                     @eq IU.6-6
 struct ClosureReport {
   Eigen::VectorXd row_sums;          ///< Σ_j F_ij

@@ -140,6 +140,11 @@ void write_json(Sink& sink, const ExchangeMatrix& matrix, const RowClosure& clos
   sink.text(",\n \"names\": ");
   write_array(sink, n, [&](std::size_t k) { sink.text(quoted(facts.names[k])); });
   numbers("areas", matrix.areas());
+  if (facts.metres_per_unit) {
+    std::vector<double> square_metres = matrix.areas();
+    for (double& area : square_metres) area *= *facts.metres_per_unit * *facts.metres_per_unit;
+    numbers("areas_m2", square_metres);
+  }
   square("F", [&](std::size_t i, std::size_t j) { return matrix.factor(i, j).value; });
   square("bounds", [&](std::size_t i, std::size_t j) { return matrix.factor(i, j).bound; });
   numbers("row_sums", closure.sums);

@@ -95,7 +95,11 @@ class Assembly {
   }
 
   void read_objects(const SceneNode& objects, const Placement& placement, const std::string& prefix) {
-    for (const SceneNode& node : objects.items(1, kAnyCount, "objects")) read_object(node, placement, prefix);
+    for (SceneNode node : objects.items(1, kAnyCount, "objects")) {
+      if (const JsonMember* name = node.json().find("name"); name && name->value.kind == JsonValue::Kind::string)
+        node.belongs_to(prefix + name->value.text);
+      read_object(node, placement, prefix);
+    }
   }
 
   void read_object(const SceneNode& node, const Placement& outer, const std::string& prefix) {

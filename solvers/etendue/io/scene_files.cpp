@@ -2,11 +2,11 @@
 #include "etendue/io/scene_files.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/io/length_unit.hpp"
 #include "etendue/text/fingerprint.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -15,20 +15,6 @@ namespace etendue {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Unit {
-  const char* name;
-  double metres;
-};
-/// International yard and pound agreement, 1959, for the foot and the inch.
-constexpr std::array<Unit, 7> kUnits{
-    {{"m", 1}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}, {"km", 1000}, {"ft", 0.3048}, {"in", 0.0254}}};
-
-std::vector<std::string> unit_names() {
-  std::vector<std::string> names;
-  for (const Unit& unit : kUnits) names.emplace_back(unit.name);
-  return names;
-}
 
 /// The same file under whatever name.
 fs::path identity(const fs::path& path) {
@@ -123,9 +109,8 @@ class Loader {
 }  // namespace
 
 std::optional<double> read_unit(const SceneNode& node) {
-  const auto name = node.choice(unit_names());
-  const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return name == u.name; });
-  return unit == kUnits.end() ? std::nullopt : std::optional(unit->metres);
+  const auto name = node.choice(length_unit_names());
+  return name ? metres_of(*name) : std::nullopt;
 }
 
 Result<LoadedFiles> load_scene_files(const fs::path& path, SceneErrors& errors) {

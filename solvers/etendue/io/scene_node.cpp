@@ -67,7 +67,13 @@ std::string Interval::text() const {
 SceneNode SceneNode::at(const JsonValue& json, std::string pointer) const {
   SceneNode node(json, file_, *name_, *errors_);
   node.pointer_ = std::move(pointer);
+  node.object_ = object_;
   return node;
+}
+
+std::string SceneNode::of_object() const {
+  constexpr std::size_t kLongestName = 80;
+  return object_.empty() ? "" : " (object '" + printable(object_, kLongestName) + "')";
 }
 
 std::string SceneNode::where() const {
@@ -75,7 +81,7 @@ std::string SceneNode::where() const {
 }
 
 void SceneNode::complain(const std::string& message) const {
-  errors_->add(file_, *name_, {json_->place, pointer_, message});
+  errors_->add(file_, *name_, {json_->place, pointer_, message + of_object()});
 }
 
 void SceneNode::expected(const std::string& what) const {
@@ -97,8 +103,9 @@ bool SceneNode::is(const KeySet& keys) const {
     const auto guess = nearest(member.key, known);
     if (guess) misspelt.push_back(*guess);
     const std::string expected = guess ? "a known one; did you mean '" + *guess + "'?" : "one of " + quoted(known);
-    errors_->add(file_, *name_,
-                 {member.place, pointer_to(pointer_, member.key), "found an unknown key, expected " + expected});
+    errors_->add(
+        file_, *name_,
+        {member.place, pointer_to(pointer_, member.key), "found an unknown key, expected " + expected + of_object()});
   }
   for (const std::string& key : keys.mandatory) {
     if (json_->find(key) || std::find(misspelt.begin(), misspelt.end(), key) != misspelt.end()) continue;

@@ -58,6 +58,9 @@ class SceneNode {
   const std::string& pointer() const { return pointer_; }
   /// Where the faults of its file are told.
   const SceneErrors& errors() const { return *errors_; }
+  /// Messages from here and below name this object.
+  void belongs_to(const std::string& object) { object_ = object; }
+
   /// File, line, column and pointer, as messages begin: "scene.json:29:5: /objects/1".
   [[nodiscard]] std::string where() const;
 
@@ -93,12 +96,14 @@ class SceneNode {
  private:
   SceneNode at(const JsonValue& json, std::string pointer) const;
   std::vector<SceneNode> children() const;  ///< items of an array
+  std::string of_object() const;            ///< " (object 'lid')", or nothing
 
   const JsonValue* json_;
   std::size_t file_;
   const std::string* name_;
   SceneErrors* errors_;
   std::string pointer_;
+  std::string object_;  ///< the name of the object that this is a part of; empty outside of objects
 };
 
 }  // namespace etendue

@@ -115,7 +115,7 @@ std::vector<Entry> concentric_cylinders() {
        .formula =
            "R = r2/r1, H = h/r1, A = H²+R²−1, B = H²−R²+1: F = (1/R) {1 − (1/π) [acos(B/A) − (1/2H) (√((A+2)²−4R²) "
            "acos(B/RA) + B asin(1/R) − πA/2)]}",
-       .source = "mean of strip-cylinder; held against the integral",
+       .source = "derived here: the mean of strip-cylinder over the height; checked against the integral",
        .care = kCare,
        .accuracy = Accuracy::proved,
        .factor = [](Values p) { return outer_to_inner(annulus(p)); },
@@ -131,8 +131,9 @@ std::vector<Entry> concentric_cylinders() {
        .formula =
            "R = r2/r1, H = h/r1, S = √(H²+4R²), q = R²−1: F = 1 − 1/R + (2/πR) atan(2√q/H) − (1/πR) [S atan(S√q/H) − H "
            "atan √q]",
-       .source =
-           "H by r1: a widely copied program that divides by r2 gives 0.08 instead of 0.13; held against the integral",
+       .source = "no paper is cited: checked against the integral. H by r1: a widely copied program that divides by r2 "
+                 "gives 0.08 "
+                 "instead of 0.13",
        .care = kCare,
        .accuracy = Accuracy::proved,
        .factor = [](Values p) { return outer_to_itself(annulus(p)); },
@@ -148,7 +149,9 @@ std::vector<Entry> concentric_cylinders() {
        .formula =
            "R = r1/r2, H = h/r2, X = √(1−R²), Y = R(1−R²−H²)/(1−R²+H²): F = (1/π) {R [atan(X/H) − atan(2X/H)] − (H/4) "
            "acos R + (X²/4H)(π/2 + asin R) − (1/4H)√((1+R²+H²)²−4R²)(π/2 + asin Y) + ½√(4+H²) atan(X√(4+H²)/RH)}",
-       .source = "held against the integral and the closure of the other three",
+       .source = "no paper is cited: half of what outer-inner-cylinder and outer-cylinder-self leave of one, as "
+                 "closure has it; "
+                 "checked against the integral",
        .care = kCare,
        .accuracy = Accuracy::proved,
        .factor = [](Values p) { return outer_to_end(annulus(p)); },

@@ -102,7 +102,9 @@ std::vector<Entry> elements_to_solids() {
        .widest_ratio = 1e4,
        .formula = "H = h/r, L = l/r, X = (1+H)²+L², Y = (1−H)²+L²: F = (1/πH) {atan(L/√(H²−1)) + L (X−2H)/√(XY) "
                   "atan √(X(H−1)/(Y(H+1))) − L atan √((H−1)/(H+1))}",
-       .source = "Howell's number not confirmed; the formula is held against the integral over the visible wall",
+       .source = "no paper is cited: the number is Howell's as commonly quoted, not confirmed; the formula was checked "
+                 "against the "
+                 "integral over the visible wall",
        .care = "a short cylinder leaves a difference; H²−1 and Y are taken from h−r; counted",
        .accuracy = Accuracy::proved,
        .factor =
