@@ -73,11 +73,7 @@ CurvedBlocker blocker(const RoundBody& body) {
         if ((k >> e & 1) != 0) v[k] += point(body.edges[e]);
       }
     }
-    constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
-        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-    std::vector<Polygon> faces;
-    for (const auto& face : kFaces) faces.push_back(polygon({v[face[0]], v[face[1]], v[face[2]], v[face[3]]}));
-    return Blocker::solid(faces).value();
+    return Blocker::solid(block(v)).value();
   }
   const CurvedPatch shape = patch(body);
   if (const auto* plate = std::get_if<Polygon>(&shape)) return Blocker::plate(*plate);

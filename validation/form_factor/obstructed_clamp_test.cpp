@@ -89,11 +89,7 @@ Blocker box_on_the_floor(double x, double y, double side, double height) {
   for (std::size_t k = 0; k < 8; ++k) {
     v[k] = tilted(Vec3(x + (k % 2 == 1 ? side : 0), y + (k / 2 % 2 == 1 ? side : 0), k / 4 == 1 ? height : 0));
   }
-  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
-      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
-  std::vector<Polygon> faces;
-  for (const auto& face : kFaces) faces.push_back(polygon({v[face[0]], v[face[1]], v[face[2]], v[face[3]]}));
-  return Blocker::solid(faces).value();
+  return Blocker::solid(block(v)).value();
 }
 
 // CLAIM      IU.6-4: a value that exceeds the free factor is put back on it, `clamp` says so, and the bound holds: past boxes so

@@ -334,6 +334,32 @@ TEST(ObstructedFormFactor, IsTheSamePastASolidAsPastItsFaces) {
   EXPECT_GT(shadowed, 30) << "the test would see little";
 }
 
+// CLAIM      IU.6-4: below a table the bound asked for is reached, where curves hide all of a cell and a chord of one of them
+//            is too coarse by thousands of times for what is asked next.
+// ORACLE     metamorphic: the same pair from the other side.
+// TOLERANCE  what was asked; the two returned bounds.
+TEST(ObstructedFormFactor, ReachesItsToleranceBelowATable) {
+  proves({"IU.6-4"}, Oracle::metamorphic,
+         "a square of floor and one of wall, past a table and two of its legs, at 1e-8");
+  constexpr double kAsked = 1e-8, kDepth = 4.0 / 22, kWidth = 5.0 / 22, kHeight = 3.0 / 22;
+  const Polygon wall = rectangle({2 * kWidth, 0, 14 * kHeight}, {0, 0, -kHeight}, {-kWidth, 0, 0});
+  const Polygon floor = rectangle({17 * kWidth, 9 * kDepth, 0}, {kWidth, 0, 0}, {0, kDepth, 0});
+  std::vector<Blocker> solids;
+  using Ends = std::array<Vec3, 2>;
+  for (const Ends& e : {Ends{Vec3(2.5, 1, 0.7), Vec3(4, 1.8, 0.75)}, Ends{Vec3(2.55, 1.05, 0), Vec3(2.65, 1.15, 0.7)},
+                        Ends{Vec3(3.85, 1.65, 0), Vec3(3.95, 1.75, 0.7)}}) {
+    std::array<Vec3, 8> v;
+    for (std::size_t k = 0; k < 8; ++k) v[k] = {e[k & 1].x(), e[k / 2 & 1].y(), e[k / 4].z()};
+    solids.push_back(Blocker::solid(block(v)).value());
+  }
+  const std::vector<const Blocker*> blockers{&solids[0], &solids[1], &solids[2]};
+  const Bounded there = obstructed_form_factor(floor, wall, blockers, {0, kAsked});
+  const Bounded back = obstructed_form_factor(wall, floor, blockers, {0, kAsked});
+  EXPECT_TRUE(within(std::max(there.bound, back.bound), kAsked));
+  const double areas = floor.area() / wall.area();
+  EXPECT_TRUE(near(areas * there.value, back.value, areas * there.bound + back.bound));
+}
+
 // CLAIM      IU.6-4: a plate open at the back hides what arrives at its front as a two-sided one does, and nothing of what
 //            arrives at its back; where the source lies on both of its sides, front and back share what it hides.
 // ORACLE     identity: equal bits where one side alone is met; hidden by the front + hidden by the back = hidden by both.

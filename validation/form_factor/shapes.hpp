@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -18,6 +20,15 @@ inline Polygon polygon(std::vector<Vec3> vertices) {
 /// The parallelogram o, o + a, o + a + b, o + b; its front is where a × b points.
 inline Polygon rectangle(const Vec3& o, const Vec3& a, const Vec3& b) {
   return polygon({o, o + a, o + a + b, o + b});
+}
+
+/// Faces, seen from outside, of the block whose corner k lies at the end of those edges whose bits k has.
+inline std::vector<Polygon> block(const std::array<Vec3, 8>& v) {
+  constexpr std::array<std::array<std::size_t, 4>, 6> kFaces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  std::vector<Polygon> faces;
+  for (const auto& face : kFaces) faces.push_back(polygon({v[face[0]], v[face[1]], v[face[2]], v[face[3]]}));
+  return faces;
 }
 
 /// A rotation about no axis of the coordinates, and a shift: frames that hide nothing by being aligned.

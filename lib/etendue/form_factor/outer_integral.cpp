@@ -356,17 +356,18 @@ void OuterIntegral::halve(std::size_t index, double share) {
   Piece whole = pieces_[index];
   std::vector<Piece> parts;
   const double allowed = kStrayShare * share / whole.cell.area();
-  if (whole.cut_stray > kStrayShare * share) {
-    // Cut along chords for a looser goal than there is now: from the curves again, whose chords are shorter then.
+  const bool recut = whole.cut_stray > kStrayShare * share;
+  if (recut) {
+    // Cut along chords for a looser goal than there is now: from the curves again, in halves, so that chords are shorter.
     for (const CutChord& chord : whole.chords) whole.curves.push_back(chord.curve);
     whole.chords.clear();
     whole.bend = 0;
-    divide(std::move(whole), kMostSteps, allowed, parts);
-  } else if (!whole.curves.empty() && !(whole.told && whole.stray <= kStrayShare * share)) {
+  }
+  if (!recut && !whole.curves.empty() && !(whole.told && whole.stray <= kStrayShare * share)) {
     divide(std::move(whole), 1, allowed, parts);
   } else {
     Vec2 across = whole.cell.longest();
-    if (whole.cell.size() == 4) {
+    if (!recut && whole.cell.size() == 4) {
       // Across the sides along which the integrand is the rougher; else across the longer ones.
       const Vec2 along = whole.cell[1] - whole.cell[0] + whole.cell[2] - whole.cell[3];
       const Vec2 up = whole.cell[3] - whole.cell[0] + whole.cell[2] - whole.cell[1];
@@ -379,7 +380,7 @@ void OuterIntegral::halve(std::size_t index, double share) {
     for (const Cell* half : {&halves.above, &halves.below}) {
       Piece part = whole;
       part.cell = *half;
-      divide(std::move(part), 0, allowed, parts);
+      divide(std::move(part), recut ? kMostSteps : 0, allowed, parts);
     }
   }
   for (Piece& part : parts) {
