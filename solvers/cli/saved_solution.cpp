@@ -94,9 +94,18 @@ class Elements {
     }
     const std::size_t face = face_index(json.at("face"), solution_.mesh, name);
     solution_.mesh.faces[face].material = material_of(json, name);
+    if (objects_.size() <= face) objects_.resize(solution_.mesh.faces.size());
+    objects_[face] = json.at("object").get<std::string>();
     solution_.mesh.elements.push_back({polygon(json.at("vertices"), name), face, 0});
     solution_.radiosity.push_back(any_three(radiosity, name));
     if (json.value("covered", false)) solution_.covered.push_back(k);
+  }
+
+  /// Faces that follow one another and have one object's name are an object's.
+  void number_objects() {
+    for (std::size_t f = 1; f < objects_.size(); ++f) {
+      solution_.mesh.faces[f].object = solution_.mesh.faces[f - 1].object + (objects_[f] != objects_[f - 1] ? 1 : 0);
+    }
   }
 
  private:
@@ -115,6 +124,7 @@ class Elements {
 
   SavedSolution& solution_;
   std::map<std::string, std::size_t> materials_;
+  std::vector<std::string> objects_;  ///< of each face
 };
 
 SavedSolution taken(const Json& file) {
@@ -140,6 +150,7 @@ SavedSolution taken(const Json& file) {
     if (!element.contains("radiosity")) throw Damage{"stopped before anything was solved; there is nothing to view"};
     elements.add(element);
   }
+  elements.number_objects();
   if (solution.mesh.elements.empty()) throw Damage{"no element"};
   return solution;
 }

@@ -16,7 +16,7 @@ struct SavedSolution {
   std::string hash;
   std::string method;
   bool finished = true;              ///< false: what an interrupted run had so far
-  ElementMesh mesh;                  ///< patches and objects not told apart
+  ElementMesh mesh;                  ///< patches not told apart; objects numbered as their names follow one another
   std::vector<Rgb> radiosity;        ///< of each element [W/m²]
   std::vector<std::size_t> covered;  ///< elements that see no front
   Rgb ambient = Rgb::Zero();         ///< B_amb [W/m²]; 0 unless it was asked for

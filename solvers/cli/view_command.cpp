@@ -11,6 +11,7 @@
 #include "etendue/meshing/shared_vertices.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "etendue/view/gathered_view.hpp"
 #include "etendue/view/mesh_lines.hpp"
 #include "etendue/view/radiosity_view.hpp"
 #include "etendue/view/traced_view.hpp"
@@ -41,6 +42,7 @@ struct Prepared {
   SavedSolution solution;
   ElementMesh shown;
   VertexRadiosities vertices;
+  RadiosityField field;  ///< on the solution's own mesh, for --method gather
   double exposure = 1;
   std::vector<View> views;
 };
@@ -137,13 +139,20 @@ void prepare_view(const ViewRequest& request, Prepared& prepared) {
   prepared.vertices = vertex_radiosities(prepared.shown, values, saved.covered);
   const double white = white_level(saved.scene, prepared.shown, prepared.vertices);
   prepared.exposure = saved.exposure > 0 ? saved.exposure : 1 / white;
+  if (request.method == "gather") {
+    prepared.field = linear_field(saved.mesh, saved.radiosity, saved.covered, Rgb(Rgb::Zero()));
+  }
+}
+
+const char* drawn_by(const ViewRequest& request) {
+  if (request.method == "gather") return "; final gather";
+  return request.method == "raster" ? "; Gouraud" : "; Gouraud, by rays";
 }
 
 ImageMetadata metadata(const ViewRequest& request, const Prepared& prepared, const View& one) {
   const SavedSolution& saved = prepared.solution;
   ImageMetadata facts{{"etendue:version", version()},
-                      {"etendue:method", saved.method + (saved.finished ? "" : " (stopped)") +
-                                             (request.method == "raster" ? "; Gouraud" : "; Gouraud, by rays")},
+                      {"etendue:method", saved.method + (saved.finished ? "" : " (stopped)") + drawn_by(request)},
                       {"etendue:scene", saved.scene.name},
                       {"etendue:scene_hash", saved.hash},
                       {"etendue:samples_per_side", std::to_string(request.samples)}};
@@ -152,15 +161,25 @@ ImageMetadata metadata(const ViewRequest& request, const Prepared& prepared, con
   return facts;
 }
 
+Result<Image> picture_of(const ViewRequest& request, const Prepared& prepared, const Camera& camera,
+                         const Execution& how) {
+  const SavedSolution& saved = prepared.solution;
+  const Rgb& background = saved.scene.background;
+  if (request.method == "gather") {
+    return gather_radiosities(camera, saved.scene, saved.mesh, prepared.field, background, request.samples, how);
+  }
+  if (request.method == "raytrace") {
+    return trace_radiosities(camera, prepared.shown, prepared.vertices, background, request.samples, how);
+  }
+  return view_radiosities(camera, prepared.shown, prepared.vertices, background, request.samples, how);
+}
+
 /// One picture, as two files.
 Result<std::vector<NewFile>> drawn(const ViewRequest& request, const Prepared& prepared, View& one, std::ostream& err) {
   Progress progress(err, one.camera.name.empty() ? "picture" : one.camera.name, request.common);
   const Execution how = execution(request.common, progress);
   const Camera& camera = one.camera.camera;
-  const Rgb& background = prepared.solution.scene.background;
-  auto picture = request.method == "raster"
-                     ? view_radiosities(camera, prepared.shown, prepared.vertices, background, request.samples, how)
-                     : trace_radiosities(camera, prepared.shown, prepared.vertices, background, request.samples, how);
+  auto picture = picture_of(request, prepared, camera, how);
   if (!picture) return picture.error();
   one.how = mapping(request.tone, prepared.exposure);
   Shown shown{std::move(picture).value(), {}};

@@ -97,9 +97,10 @@ void declare(Options& options, ViewRequest& request) {
   options.text("--up", "X,Y,Z", "what appears upwards", request.up);
   options.real("--fov", "DEG", "the whole horizontal angle", request.fov, kLeastFov, kMostFov);
   options.text("--resolution", "CxR", "columns x rows of the picture: 640x400", request.resolution);
-  options.choice("--method", {"raster", "raytrace"},
+  options.choice("--method", {"raster", "raytrace", "gather"},
                  "draw the elements into a depth buffer (default), or follow a ray through each sample; the same\n"
-                 "picture up to the outlines, where the first snaps to 1/4096 of a pixel",
+                 "picture up to the outlines, where the first snaps to 1/4096 of a pixel. gather: by rays, and what\n"
+                 "arrives at each point is gathered with exact factors: shadows finer than the elements; slow",
                  request.method);
   options.flag("--mesh", "draw the outlines of the elements into the PNG", request.draw_mesh);
   options.flag("--ambient", "add the ambient term, of a solution that was found with --ambient", request.ambient);
@@ -123,6 +124,9 @@ void declare(Options& options, ViewRequest& request) {
 
 std::optional<std::string> contradiction(const ViewRequest& request) {
   if (request.look_at && request.gaze) return "--look-at and --gaze: expected one of them";
+  if (request.ambient && request.method == "gather") {
+    return "--ambient stands in for light that is unshot, and belongs to values at corners: not with --method gather";
+  }
   return contradiction(request.tone);
 }
 

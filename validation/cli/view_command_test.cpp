@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/furnace_text.hpp"
+#include "etendue/geometry/vector.hpp"
 #include "etendue/io/image_file.hpp"
 #include "support/evidence.hpp"
 
@@ -147,6 +152,79 @@ TEST(ViewCommand, LooksThroughEveryCamera) {
   EXPECT_TRUE(within(static_cast<double>(off), 4));
 }
 
+// CLAIM      IU.6-7, IU.6.5v: view --method gather shows E + ρ H, H what solve --sensors finds at the same points of the same
+//            solution, past a box, on elements that were cut for it; the same pictures on one thread and on two.
+// ORACLE     another path: irradiance from NAME.sensors.csv, at the ends of the pixels' rays, found here.
+// TOLERANCE  2^-23 of the brightest: the EXR holds floats; the sensors' bounds, rounding, are far below.
+TEST(ViewCommand, GathersWhatSensorsReceive) {
+  proves({"IU.6-7", "IU.6.5v"}, Oracle::program, "solve --sensors at the points that the pixels show");
+  const TemporaryFolder folder;
+  const Eigen::Array3d low(0.7, 1.6, 0), high(1.15, 2.05, 0.6), room(2, 3, 1.5);
+  folder.add("post.json", replaced(uneven_furnace(), "\"objects\": [", R"("objects": [
+    {"type": "box", "name": "post", "material": "dim", "low": [0.7, 1.6, 0], "high": [1.15, 2.05, 0.6]},)"));
+  const Eigen::Array3d eye(1.625, 0.25, 1.125);
+  const int columns = 12, rows = 9;
+  std::string sensors;
+  std::vector<std::string> shown;  // material
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Vec3 g = Vec3(-1, 2, -0.75).normalized();
+      const Vec3 x = g.cross(Vec3(0, 0, 1)).normalized(), y = x.cross(g);
+      const double s = 2 * (column + 0.5) / columns - 1, t = (1 - 2 * (row + 0.5) / rows) * rows / columns;
+      const Eigen::Array3d d = g + s * std::tan(std::numbers::pi / 4) * x + t * std::tan(std::numbers::pi / 4) * y;
+      const Eigen::Array3d to_low = (low - eye) / d, to_high = (high - eye) / d;
+      const double enters = to_low.min(to_high).maxCoeff(), leaves = to_low.max(to_high).minCoeff();
+      const bool post = enters < leaves && enters > 0;
+      const Eigen::Array3d walls = ((d > 0).select(room, Eigen::Array3d::Zero()) - eye) / d;
+      Eigen::Index axis = 0;
+      const double far = post ? to_low.min(to_high).maxCoeff(&axis) : walls.minCoeff(&axis);
+      Eigen::Array3d p = eye + far * d, n = Eigen::Array3d::Zero();
+      n(axis) = d(axis) > 0 ? -1 : 1;
+      if (post) {
+        p(axis) = d(axis) > 0 ? low(axis) : high(axis);
+      } else {
+        p(axis) = d(axis) > 0 ? room(axis) : 0;
+      }
+      const bool right = !post && axis == 0 && d(0) > 0, floor = !post && axis == 2 && d(2) < 0;
+      shown.push_back(post || right ? "dim" : floor ? "dark" : "glowing");
+      std::ostringstream line;
+      line.precision(17);
+      line << p(0) << ' ' << p(1) << ' ' << p(2) << ' ' << n(0) << ' ' << n(1) << ' ' << n(2) << '\n';
+      sensors += line.str();
+    }
+  }
+  folder.add("points.txt", sensors);
+  ASSERT_EQ(run(folder, {"solve", "post.json", "--align-mesh", "--sensors", "points.txt", "-o", "s.png"}).code, 0);
+  const Words view{"view",         "s.json", "--method", "gather",     "--samples", "1",
+                   "--fov",        "90",     "--gaze",   "-1,2,-0.75", "--eye",     "1.625,0.25,1.125",
+                   "--resolution", "12x9",   "-o",       "v.png",      "--threads"};
+  Words one = view, two = view;
+  one.push_back("1");
+  two.push_back("2");
+  ASSERT_EQ(run(folder, one).code, 0);
+  std::filesystem::copy(folder.path() / "v.exr", folder.path() / "w.exr");
+  const Ended again = run(folder, two);
+  EXPECT_TRUE(holds(again.code == 0 && equal(folder.path() / "v.exr", folder.path() / "w.exr"))) << again.err;
+  const auto picture = read_image(folder.path() / "v.exr");
+  const auto solution = nlohmann::json::parse(read_text(folder.path() / "s.json"));
+  std::map<std::string, std::array<nlohmann::json, 2>> materials;
+  for (const auto& element : solution["elements"]) {
+    materials[element["material"]] = {element["emission"], element["reflectance"]};
+  }
+  const auto& readings = solution["sensors"]["readings"];
+  ASSERT_TRUE(picture.ok() && picture->pixels.size() == readings.size() && readings.size() == shown.size());
+  std::size_t posts = 0;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    posts += shown[k] == "dim";
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [emission, rho] = materials.at(shown[k]);
+      const double b = emission[c].get<double>() + rho[c].get<double>() * readings[k]["irradiance"][c].get<double>();
+      EXPECT_TRUE(near(picture->pixels[k](static_cast<Eigen::Index>(c)), b, 0x1p-23 * 10)) << shown[k] << k;
+    }
+  }
+  EXPECT_TRUE(holds(posts > 10 && posts < 90)) << posts;
+}
+
 double srgb(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
@@ -277,7 +355,7 @@ TEST(ViewCommand, RefusesWhatItCannotShow) {
       {{"s.json", "--resolution", "0x5"}, 2, "COLUMNSxROWS"},
       {{"s.json", "--resolution", "640"}, 2, "COLUMNSxROWS"},
       {{"s.json", "--resolution", "65536x65536"}, 2, "at most 2^28"},
-      {{"s.json", "--method", "gather"}, 2, "expected one of raster, raytrace"},
+      {{"s.json", "--method", "gathr"}, 2, "expected one of raster, raytrace"},
       {{"s.json", "--key", "0.2"}, 2, "--key is for --tone key and --tone reinhard"},
       {{"s.json", "--tone", "key", "--white", "2"}, 2, "--white is for --tone reinhard"},
       {{"s.json", "--tone", "reinhart"}, 2, "did you mean 'reinhard'"},

@@ -34,6 +34,27 @@ Vec3 centroid(std::span<const Vec3> corners) {
   return base + sum;
 }
 
+/// Where, in a part of an element, the mean of a linear function is its value, weighted as the point weighs it:
+///     c + M γ,   M = 1/A ∫ (p − c)(p − c)ᵀ dA,   γ = ∇ ln (cos a_x cos a_j / r²) at c = n/(n·d) − 4d/d²,  d = c − x
+/// to second order in the part's size over its distance. The centroid c, where the horizon cuts it.
+Vec3 weighted_centre(const Vec3& point, const Vec3& normal, std::span<const Vec3> corners, const Vec3& centre) {
+  const Vec3 to_centre = centre - point;
+  const double height = normal.dot(to_centre);
+  for (const Vec3& v : corners) {
+    if (!(normal.dot(v - point) > 0)) return centre;
+  }
+  const Vec3 rise = normal / height - 4 / to_centre.squaredNorm() * to_centre;
+  Vec3 moment = Vec3::Zero();  // M γ, over triangles around c: A/12 (Σ v vᵀ + (Σ v)(Σ v)ᵀ) with c for one v
+  double area = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec3 a = corners[k] - centre, b = corners[(k + 1) % corners.size()] - centre, sum = a + b;
+    const double twice = a.cross(b).norm();
+    moment += twice * (a.dot(rise) * a + b.dot(rise) * b + sum.dot(rise) * sum);
+    area += 12 * twice;
+  }
+  return area > 0 ? Vec3(centre + moment / area) : centre;
+}
+
 double greatest_distance(std::span<const Vec3> points, const Vec3& from) {
   double square = 0;
   for (const Vec3& p : points) square = std::max(square, (p - from).squaredNorm());
@@ -226,7 +247,11 @@ void FinalGather::add(Look& look, const Target& target, const RadiosityField& fi
   }
   const std::optional<Bounded> factor = seen(look, target, corners);
   if (!factor || (factor->value == 0 && factor->bound == 0)) return;
-  const Vec3 from_centroid = varies ? Vec3(centre - mesh_.elements[element].polygon.centroid()) : Vec3(Vec3::Zero());
+  Vec3 from_centroid = Vec3::Zero();
+  if (varies) {
+    from_centroid =
+        weighted_centre(look.point, look.normal, corners, centre) - mesh_.elements[element].polygon.centroid();
+  }
   const Rgb value = field.at(element, from_centroid), error = field.bound_at(element, from_centroid);
   sum.irradiance += factor->value * value;
   sum.bound += factor->value * error + factor->bound * (value + error);

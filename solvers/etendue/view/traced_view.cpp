@@ -4,31 +4,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "etendue/acceleration/accelerator.hpp"
-#include "etendue/raytracing/camera_rays.hpp"
-#include "etendue/view/radiosity_view.hpp"
+#include "etendue/view/first_hits.hpp"
 
 namespace etendue {
 
 namespace {
-
-/// The elements that turn their front to the eye, as a scene for rays.
-struct Fronts {
-  Scene scene;
-  std::vector<std::size_t> elements;  ///< of each object
-};
-
-Fronts fronts(const ElementMesh& mesh, const Vec3& eye) {
-  Fronts result;
-  result.scene.materials.emplace_back();
-  for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
-    const Polygon& polygon = mesh.elements[k].polygon;
-    if (polygon.normal().dot(eye - polygon.centroid()) <= 0) continue;  // its back
-    result.scene.objects.push_back({"", polygon, 0, {}});
-    result.elements.push_back(k);
-  }
-  return result;
-}
 
 /// The value at a point of an element: linear in the triangle of the fan around the centroid that the point is in, or, by
 /// rounding, is nearest to.
@@ -60,12 +40,8 @@ Result<Image> trace_radiosities(const Camera& camera, const ElementMesh& mesh, c
                                 const Rgb& background, int samples, const Execution& execution) {
   require(samples >= 1, "trace_radiosities: at least one sample a pixel");
   require(radiosities.corners.size() == mesh.elements.size(), "trace_radiosities: vertex radiosities of this mesh");
-  const auto frame = camera_frame(camera);
-  if (!frame) return frame.error();
-  const CameraFrame& seen_from = *frame;
-  const Fronts front = fronts(mesh, seen_from.eye);
-  const auto accelerator = make_accelerator(front.scene, AcceleratorKind::bounding_volumes);
-  const double near = kNearPlane * diagonal(mesh);
+  const auto hits = FirstHits::make(camera, mesh);
+  if (!hits) return hits.error();
   Image picture(camera.columns, camera.rows);
   const auto trace_row = [&](std::size_t index) {
     const int row = static_cast<int>(index);
@@ -73,15 +49,10 @@ Result<Image> trace_radiosities(const Camera& camera, const ElementMesh& mesh, c
       Rgb sum = Rgb::Zero();
       for (int sample = 0; sample < samples * samples; ++sample) {
         const double across = (sample % samples + 0.5) / samples, down = (sample / samples + 0.5) / samples;
-        Ray ray = eye_ray(seen_from, picture_point(camera, column, row, across, down));
-        ray.t_min = near / ray.direction.dot(seen_from.forward);
-        const Nearest found = accelerator->nearest(ray);
-        if (!found.hit) {
-          sum += background;
-          continue;
-        }
-        const std::size_t element = front.elements[found.hit->object];
-        sum += value_at(found.hit->hit.point, mesh.elements[element].polygon, radiosities.corners[element]);
+        const auto shown = hits->at(column, row, across, down);
+        sum += shown
+                   ? value_at(shown->point, mesh.elements[shown->element].polygon, radiosities.corners[shown->element])
+                   : background;
       }
       picture.at(column, row) = sum / (samples * samples);
     }
