@@ -79,6 +79,13 @@ Result<RefinedReport> begun(const RefinedRequest& request) {
   report.solution = std::move(solution).value();
   const auto room = check_room(request, report.solution.mesh.cells.size(), report.solution.mesh.patches);
   if (!room) return room.error();
+  if (request.sensors.asked()) {
+    auto sensors = opened_sensors(request.sensors, report.file, named(request, ".sensors.csv"));
+    if (!sensors) return sensors.error();
+    const FinalGather gather(report.solution.model.elements);
+    if (const auto fit = check_sensors(scene, gather, sensors->sensors); !fit) return fit.error();
+    report.sensors = std::move(sensors).value();
+  }
   if (request.per_light || request.relight) {
     for (const std::size_t material : emitting_materials(scene, report.solution.model)) {
       report.lights.push_back(
@@ -234,6 +241,20 @@ ElementMesh prepare_view(RefinedReport& report) {
   return shown;
 }
 
+/// Measures at the sensors, if there are some, and writes the table; ErrorCode::stopped when the user asked for it meanwhile.
+Result<Done> add_readings(RefinedReport& report, std::ostream& err) {
+  if (!report.sensors) return Done{};
+  Rgb bound = report.gap.radiosity;
+  if (report.request.eliminates()) bound = report.solution.bound;
+  Progress progress(err, "sensors", report.request.common);
+  auto found = measured({report.solution.model.elements, report.radiosity, report.covered, bound}, *report.sensors,
+                        execution(report.request.common, progress));
+  if (!found) return found.error();
+  report.sensors = std::move(found).value();
+  const SensorReport& sensors = *report.sensors;
+  return write_file(sensors.csv, sensors_csv(sensors.sensors, sensors.results, sensors.efficacy));
+}
+
 /// The solution as other programs want it, on the mesh that is shown.
 SolvedSurfaces surfaces(const RefinedReport& report, const ElementMesh& shown) {
   SolvedSurfaces solved{
@@ -317,6 +338,11 @@ int solve_refined(const std::vector<std::string>& arguments, std::ostream& out, 
   report.json = named(request, stopped ? ".incomplete.json" : ".json");
   std::optional<Error> lost;
   const ElementMesh shown = stopped ? ElementMesh{} : prepare_view(report);
+  if (!stopped) {
+    const auto read = add_readings(report, err);
+    if (!read && read.error().code != ErrorCode::stopped) return fail(err, kName, read.error());
+    if (!read) lost = read.error();
+  }
   // Before the pictures: nothing that happens to them takes the radiosities away.
   if (const auto written = write_solution(report.json, report); !written) return fail(err, kName, written.error());
   if (!stopped) {
@@ -328,8 +354,10 @@ int solve_refined(const std::vector<std::string>& arguments, std::ostream& out, 
       }
       report.written = request.written;
     }
-    const auto pictures = write_pictures(report, shown, err);
-    if (!pictures) lost = pictures.error();
+    if (!lost) {
+      const auto pictures = write_pictures(report, shown, err);
+      if (!pictures) lost = pictures.error();
+    }
   }
   if (lost && lost->code != ErrorCode::stopped) return fail(err, kName, *lost);
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -339,9 +367,9 @@ int solve_refined(const std::vector<std::string>& arguments, std::ostream& out, 
     print_summary(out, report);
   }
   if (lost) {
-    return fail(
-        err, kName,
-        {ErrorCode::stopped, "stopped; there are no pictures; the radiosities are in " + quoted_path(report.json)});
+    return fail(err, kName,
+                {ErrorCode::stopped,
+                 "stopped; sensors or pictures are missing; the radiosities are in " + quoted_path(report.json)});
   }
   return judged(report, err);
 }

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "etendue/text/utf8.hpp"
 #include "refined_report.hpp"
+#include "report_json.hpp"
 
 namespace etendue::cli {
 
 namespace {
-
-using Json = nlohmann::json;
 
 Rgb triple(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};

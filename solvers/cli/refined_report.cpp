@@ -51,8 +51,8 @@ Json channel_json(const RefinedReport& report, Eigen::Index c) {
   return json;
 }
 
-/// What scene and settings determine: nothing that differs between two runs.
-Json summary(const RefinedReport& report) {
+/// What scene and settings determine: nothing that differs between two runs. With `all`, each sensor's reading.
+Json summary(const RefinedReport& report, bool all) {
   const AdaptiveSolution& solution = report.solution;
   Json json;
   json["program"] = std::string("etendue ") + version();
@@ -84,6 +84,7 @@ Json summary(const RefinedReport& report) {
     }
   }
   if (report.exposure > 0) json["exposure"] = report.exposure;
+  if (report.sensors && !report.sensors->results.empty()) json["sensors"] = sensors_json(*report.sensors, all);
   return json;
 }
 
@@ -142,19 +143,22 @@ const char* words(RefinedStatus status) {
 }
 
 std::string summary_json(const RefinedReport& report) {
-  Json json = summary(report);
+  Json json = summary(report, false);
   for (Json& run : json["runs"]) {
     run.erase("shooters");
     run.erase("unshot_shares");
   }
   json["files"] = files_json(report.request.scene, report);
+  if (report.sensors && !report.sensors->results.empty()) {
+    json["files"]["sensors"] = report.sensors->csv.string();
+  }
   json["seconds"] = report.seconds;
   return dumped(json) + "\n";
 }
 
 Result<Done> write_solution(const std::filesystem::path& path, const RefinedReport& report) {
   return write_pieces(path, [&](const Append& append) -> Result<Done> {
-    std::string text = dumped(summary(report));
+    std::string text = dumped(summary(report, true));
     text.resize(text.size() - std::string("\n}").size());
     text += ",\n \"faces\": " + dumped(faces_json(report.solution.model.elements), -1);
     text += ",\n \"contacts\": " + dumped(contacts_json(report.solution.model.elements), -1);
@@ -218,8 +222,10 @@ void print_summary(std::ostream& out, const RefinedReport& report) {
   if (report.exposure > 0) {
     out << "exposure     " << rounded(report.exposure) << " (white = " << rounded(1 / report.exposure) << " W/m²)\n";
   }
+  if (report.sensors && !report.sensors->results.empty()) print_sensors(out, *report.sensors);
   out << "time         " << rounded(report.seconds) << " s\n";
   print_files(out, report);
+  if (report.sensors && !report.sensors->results.empty()) out << printable(report.sensors->csv.string()) << '\n';
 }
 
 }  // namespace etendue::cli

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +35,9 @@ struct RefinedReport : SolutionFiles {
   ShootingGap gap;      ///< of the state; by elimination AdaptiveSolution::bound in its place
   Emissions emissions;  ///< of each patch
   std::vector<Rgb> radiosity;
-  Rgb ambient = Rgb::Zero();         ///< B_amb, shown with --ambient
-  std::vector<std::size_t> covered;  ///< elements that see no front
+  Rgb ambient = Rgb::Zero();            ///< B_amb, shown with --ambient
+  std::vector<std::size_t> covered;     ///< elements that see no front
+  std::optional<SensorReport> sensors;  ///< asked for by --sensors, and measured once all is solved
   VertexRadiosities vertices;
   double exposure = 0;
   double seconds = 0;

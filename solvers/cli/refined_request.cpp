@@ -70,6 +70,8 @@ void declare(Options& options, RefinedRequest& request) {
   add_meshing(options, request);
   declare_shooting(options, request);
   declare_adaptive(options, request);
+  add_sensors(options, request.sensors);
+  add_extrapolation(options, request.sensors);
   add_results(options, request);
   options.note(
       "NAME.json holds every element with its corners, radiosity and irradiance, and all that is needed to go on. "
@@ -94,6 +96,7 @@ std::optional<std::string> contradiction(RefinedRequest& request) {
   }
   if (request.per_light && request.method != "progressive") return "--per-light is for --method progressive";
   if (auto wrong = contradiction(request.tone)) return wrong;
+  if (request.sensors.extrapolate) return "--extrapolate is for --method full, which solves two meshes alike";
   if (request.relight && (request.resume || request.per_light)) {
     return "--relight combines a finished run: neither --resume nor --per-light";
   }

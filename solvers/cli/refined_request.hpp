@@ -9,11 +9,13 @@
 #include "etendue/refinement/adaptive_radiosity.hpp"
 #include "options.hpp"
 #include "solve_parts.hpp"
+#include "solve_sensors.hpp"
 
 namespace etendue::cli {
 
 /// What `etendue solve --method hemicube|progressive|adaptive` was asked.
 struct RefinedRequest : SolutionRequest {
+  SensorRequest sensors;
   std::string method = "progressive";
   std::string factors_by;  ///< "hemicube" or "exact"; by default what suits the method
   std::string solve_by = "shooting";

@@ -106,6 +106,7 @@ void declare(Options& options, Request& request) {
                request.certified, 1e-9, 1);
   add_meshing(options, request);
   add_sensors(options, request.sensors);
+  add_extrapolation(options, request.sensors);
   add_results(options, request);
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"

@@ -19,15 +19,12 @@ namespace {
 constexpr double kLeastEfficacy = 1e-6;
 
 /// What all sensors receive of one solution. Bounds are infinite where the solution's own is.
-Result<std::vector<Gathered>> readings(const SolveReport& report, const FinalGather& gather,
-                                       const std::vector<Sensor>& sensors, const Execution& execution) {
-  Rgb bound;
-  for (std::size_t c = 0; c < 3; ++c) {
-    bound(static_cast<Eigen::Index>(c)) = report.solution->channels[c].bound_with_factors;
-  }
-  const bool known = bound.isFinite().all();
+Result<std::vector<Gathered>> readings(const SolvedElements& solved, const std::vector<Sensor>& sensors,
+                                       const Execution& execution) {
+  const bool known = solved.bound.isFinite().all();
+  const FinalGather gather(solved.mesh);
   const RadiosityField field =
-      linear_field(report.mesh, report.solution->radiosity, report.closure.covered, known ? bound : Rgb(Rgb::Zero()));
+      linear_field(solved.mesh, solved.radiosity, solved.covered, known ? solved.bound : Rgb(Rgb::Zero()));
   auto outcome = measure(gather, field, sensors, execution);
   if (!outcome) return outcome.error();
   std::vector<Gathered> found = std::move(outcome).value();
@@ -35,6 +32,14 @@ Result<std::vector<Gathered>> readings(const SolveReport& report, const FinalGat
     for (Gathered& one : found) one.bound = Rgb::Constant(std::numeric_limits<double>::infinity());
   }
   return found;
+}
+
+SolvedElements solved_elements(const SolveReport& report) {
+  Rgb bound;
+  for (std::size_t c = 0; c < 3; ++c) {
+    bound(static_cast<Eigen::Index>(c)) = report.solution->channels[c].bound_with_factors;
+  }
+  return {report.mesh, report.solution->radiosity, report.closure.covered, bound};
 }
 
 Json colour_or_null(const Rgb& colour) {
@@ -58,13 +63,17 @@ void add_sensors(Options& options, SensorRequest& request) {
                "also find the irradiance at the points of FILE (.json, or text: x y z and normal a line), written to\n"
                "NAME.sensors.csv and NAME.json",
                request.file);
-  options.flag("--extrapolate",
-               "solve on half the elements along every edge as well, and extrapolate what sensors receive: the error\n"
-               "of the elements' size is estimated, and most of it is gone",
-               request.extrapolate);
   options.real("--efficacy", "K",
                "luminous efficacy of the light, lm/W, for lux (default: 179, equal-energy white; 683 at 555 nm)",
                request.efficacy, kLeastEfficacy, kPeakEfficacy);
+}
+
+void add_extrapolation(Options& options, SensorRequest& request) {
+  options.flag(
+      "--extrapolate",
+      "with the full matrix: solve on half the elements along every edge as well, and extrapolate what sensors\n"
+      "receive: the error of the elements' size is estimated, and most of it is gone",
+      request.extrapolate);
 }
 
 std::optional<std::string> contradiction(const SensorRequest& request) {
@@ -85,21 +94,23 @@ Result<SensorReport> opened_sensors(const SensorRequest& request, const SceneFil
   return SensorReport{std::move(sensors).value(), {}, request.efficacy, 0, csv};
 }
 
+Result<SensorReport> measured(const SolvedElements& solved, SensorReport sensors, const Execution& execution) {
+  const auto found = readings(solved, sensors.sensors, execution);
+  if (!found) return found.error();
+  for (const Gathered& one : *found) sensors.results.push_back({one.irradiance, one.bound});
+  return sensors;
+}
+
 Result<SensorReport> measured(const SolveReport& report, SensorReport sensors, const SolveAgain& again,
                               const Execution& execution) {
-  const FinalGather gather(report.mesh);
-  const auto fine = readings(report, gather, sensors.sensors, execution);
+  if (!again) return measured(solved_elements(report), std::move(sensors), execution);
+  const auto fine = readings(solved_elements(report), sensors.sensors, execution);
   if (!fine) return fine.error();
-  if (!again) {
-    for (const Gathered& one : *fine) sensors.results.push_back({one.irradiance, one.bound});
-    return sensors;
-  }
   auto halved = with_half_the_elements(report.file.scene);
   if (!halved) return halved.error();
   const auto coarse_report = again(std::move(halved).value());
   if (!coarse_report) return coarse_report.error();
-  const FinalGather coarse_gather(coarse_report->mesh);
-  const auto coarse = readings(*coarse_report, coarse_gather, sensors.sensors, execution);
+  const auto coarse = readings(solved_elements(*coarse_report), sensors.sensors, execution);
   if (!coarse) return coarse.error();
   sensors.coarse_elements = coarse_report->mesh.elements.size();
   for (std::size_t k = 0; k < fine->size(); ++k) {
@@ -120,8 +131,8 @@ void print_sensors(std::ostream& out, const SensorReport& sensors) {
   }
   const auto count = static_cast<double>(sensors.results.size());
   out << "sensors      " << counted(sensors.results.size(), "sensor") << ": " << rounded(low) << " to " << rounded(high)
-      << " lx, mean " << rounded(sum / count) << " (" << rounded(sensors.efficacy) << " lm/W); bound of the equation "
-      << rounded(bound) << " W/m²\n";
+      << " lx, mean " << rounded(sum / count) << " (" << rounded(sensors.efficacy) << " lm/W); "
+      << (std::isfinite(bound) ? "bound of the equation " + rounded(bound) + " W/m²" : "without a bound") << '\n';
   if (sensors.coarse_elements > 0) {
     out << "elements     extrapolated from " << sensors.coarse_elements << " as well, which changed sensors by "
         << rounded(100 * largest_discretisation(sensors)) << " % of the largest at most\n";

@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,10 @@ struct SensorReport {
   std::filesystem::path csv;
 };
 
-/// Declares --sensors, --efficacy and --extrapolate.
+/// Declares --sensors and --efficacy.
 void add_sensors(Options& options, SensorRequest& request);
+/// Declares --extrapolate, which takes a method that solves two meshes alike.
+void add_extrapolation(Options& options, SensorRequest& request);
 
 /// What parsing cannot see.
 [[nodiscard]] std::optional<std::string> contradiction(const SensorRequest& request);
@@ -45,6 +48,18 @@ void add_sensors(Options& options, SensorRequest& request);
 /// Reads the sensors of a scene, and asks whether the table can be written.
 [[nodiscard]] Result<SensorReport> opened_sensors(const SensorRequest& request, const SceneFile& scene,
                                                   const std::filesystem::path& csv);
+
+/// What sensors look at.
+struct SolvedElements {
+  const ElementMesh& mesh;
+  std::span<const Rgb> radiosity;
+  std::span<const std::size_t> covered;
+  Rgb bound;  ///< on |B_k − exact B_k|, infinite where it is not known
+};
+
+/// Measures at the sensors of a report; ErrorCode::stopped when the user asked for it meanwhile.
+[[nodiscard]] Result<SensorReport> measured(const SolvedElements& solved, SensorReport sensors,
+                                            const Execution& execution);
 
 /// Solves a scene on a mesh of its own: what `measured` does again with half the elements.
 using SolveAgain = std::function<Result<SolveReport>(Scene scene)>;

@@ -77,6 +77,71 @@ TEST(SolveSensors, ReceiveWhatTheFurnaceGlows) {
   }
 }
 
+// CLAIM      IU.6-12, IU.6-7: sensors read solutions that patches shot, that were refined where radiosity changes, or eliminated by
+//            hemicubes, as they read those of the full matrix, past a post as well; with exact factors to the bound that is told,
+//            with hemicubes that shoot without one; a light turned to the double doubles what they receive.
+// ORACLE     closed form: the furnace; another method: the full matrix of the same elements; identity: linearity.
+// TOLERANCE  the bounds in the reports, which are below 0.1 % of the light; past the post also what form factors known to 1e-5 do,
+//            ρ/(1 − ρ) times that on either side; hemicubes 1e-9: their rows sum to one by construction.
+TEST(SolveSensors, ReadWhateverWasSolved) {
+  proves({"IU.6-7", "IU.6-12", "IU.6-13"}, Oracle::closed_form, "furnace, H = E/(1 − ρ), shot and refined");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("furnace.json", furnace_text());
+  // A post on the floor; each element is a patch, so that what shoots is what the full matrix has.
+  Json furnished = Json::parse(replaced(furnace_text(), "\"objects\": [", R"("objects": [
+    {"type": "box", "name": "post", "material": "dim", "low": [0.7, 1.6, 0], "high": [1.15, 2.05, 0.6]},)"));
+  furnished["materials"]["dim"] = {{"rho", {0.7, 0.2, 0.4}}};
+  for (Json& object : furnished["objects"]) {
+    if (object.contains("elements")) object["patches"] = object["elements"];
+  }
+  const auto post = folder.add("post.json", furnished.dump());
+  const auto sensors = folder.add("sensors.json", kSensors);
+  const auto readings = [&](const std::filesystem::path& of, const std::vector<std::string>& how) {
+    const Ended ended = solve(folder, of, sensors, how);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(holds(ended.out.find("8 sensors") != std::string::npos)) << ended.out;
+    const bool relit = !how.empty() && how[0] == "--relight";
+    EXPECT_EQ(lines(read_text(folder.path() / (relit ? "out-relit.sensors.csv" : "out.sensors.csv"))).size(), 9u);
+    return Json::parse(read_text(folder.path() / (relit ? "out-relit.json" : "out.json")))["sensors"]["readings"];
+  };
+  const double expected[] = {3, 8, 10};
+  const std::vector<std::vector<std::string>> exact{
+      {"--method", "progressive", "--factors-by", "exact", "--unshot", "1e-5"},
+      {"--method", "adaptive", "--unshot", "1e-5", "--levels", "1"},
+      {"--method", "adaptive", "--solve-by", "elimination", "--levels", "1"}};
+  for (const auto& how : exact) {
+    const Json glowing = readings(scene, how);
+    for (std::size_t k = 0; k < 8; ++k) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double bound = glowing[k]["bound"][c].get<double>();
+        EXPECT_TRUE(near(glowing[k]["irradiance"][c].get<double>(), expected[c], bound)) << k;
+        EXPECT_TRUE(within(bound, 1e-3 * expected[c])) << k;
+      }
+    }
+  }
+  const Json full = readings(post, {"--tolerance", "1e-5"});
+  const Json past_the_post =
+      readings(post, {"--method", "progressive", "--factors-by", "exact", "--unshot", "1e-5", "--tolerance", "1e-5"});
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double h = full[k]["irradiance"][c].get<double>(), factors = 2 * 1e-5 * h / (1 - 0.9);
+      EXPECT_TRUE(near(past_the_post[k]["irradiance"][c].get<double>(), h,
+                       past_the_post[k]["bound"][c].get<double>() + full[k]["bound"][c].get<double>() + factors));
+    }
+  }
+  const Json pixels = readings(scene, {"--method", "hemicube"});
+  const Json shot = readings(scene, {"--method", "progressive", "--per-light", "--unshot", "1e-4"});
+  const Json doubled = readings(scene, {"--relight", "glowing=2"});
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_TRUE(near(pixels[k]["irradiance"][c].get<double>(), expected[c], 1e-9 * expected[c]));
+      EXPECT_TRUE(holds(shot[k]["bound"][c].is_null()));
+      EXPECT_EQ(doubled[k]["irradiance"][c].get<double>(), 2 * shot[k]["irradiance"][c].get<double>());
+    }
+  }
+  EXPECT_EQ(solve(folder, scene, sensors, {"--method", "progressive", "--extrapolate"}).code, 2);
+}
+
 // CLAIM      Sensors are read strictly: each error is told with file, line and what was expected, all at once, with exit code 3;
 //            a text file does as well as JSON.
 // ORACLE     identity: files with one error each.
