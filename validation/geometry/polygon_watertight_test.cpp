@@ -5,11 +5,12 @@
 #include "etendue/geometry/polygon.hpp"
 #include "geometry/families.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
 
-constexpr std::uint64_t kRays = 100'000;
+const std::uint64_t kRays = long_run(100'000);
 constexpr double kFarAway = 2.7e5;
 
 // A prism over an L: eight polygons, two of them concave, that share edges and corners and nothing else.

@@ -133,6 +133,11 @@ bool is_simple(const std::vector<Flat>& polygon) {
   return CGAL::is_simple_2(points.begin(), points.end(), Kernel());
 }
 
+int volume_sign(const Point& point, const std::array<Point, 3>& triangle) {
+  const auto p = relative(triangle, point);
+  return sign(CGAL::cross_product(p[1] - p[0], p[2] - p[0]) * p[0]);
+}
+
 bool ray_meets_triangle(const Point& origin, const Point& direction, const std::array<Point, 3>& triangle) {
   const Kernel::Ray_3 ray(point3(origin), vector3(direction));
   const Kernel::Triangle_3 corners(point3(triangle[0]), point3(triangle[1]), point3(triangle[2]));

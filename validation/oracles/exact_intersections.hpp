@@ -34,6 +34,9 @@ bool ray_meets_triangle(const Point& origin, const Point& direction, const std::
 /// Signs of the three edges' volumes D·((p−O)×(q−O)) for the edges bc, ca, ab.
 std::array<int, 3> edge_signs(const Point& origin, const Point& direction, const std::array<Point, 3>& triangle);
 
+/// Sign of the volume (a − point)·((b − a)×(c − a)): 0 where the point lies in the triangle's plane.
+int volume_sign(const Point& point, const std::array<Point, 3>& triangle);
+
 /// Least distance between the ray's line and the three lines through the edges.
 double distance_to_edges(const Point& origin, const Point& direction, const std::array<Point, 3>& triangle);
 
