@@ -2,7 +2,6 @@
 #include "solve_factors_command.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -11,12 +10,11 @@
 #include "etendue/assembly/schedule.hpp"
 #include "etendue/core/interval.hpp"
 #include "etendue/io/atomic_file.hpp"
-#include "etendue/io/number_table.hpp"
-#include "etendue/io/read_errors.hpp"
 #include "etendue/radiosity/enclosure.hpp"
 #include "etendue/radiosity/solve.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
+#include "factors_data.hpp"
 #include "memory.hpp"
 #include "options.hpp"
 #include "outputs.hpp"
@@ -44,10 +42,8 @@ constexpr double kTolerance = 1e-10;
 constexpr double kRowExcess =
     1e-6;  ///< six decimal places, in which factors are often printed, make row sums as wrong as this
 
-struct Request {
+struct Request : FactorsSource {
   CommonOptions common;
-  fs::path factors;
-  std::optional<std::string> reflectance, emission, areas;
   std::string solver = "gauss";
   double tolerance = 0;  ///< 0, which --tolerance does not take: not asked of direct solvers, kTolerance of iterations
   double row_excess = kRowExcess;
@@ -63,6 +59,13 @@ void declare(Options& options, Request& request) {
   options.choice("--solver", solver_choices(), kSolverHelp, request.solver);
   options.flag("--certify", "intervals that hold the exact solution for the numbers as written, decimals and all",
                request.certify);
+  options.text(
+      "--factor-bounds", "X",
+      "with --certify: the true F_ij are within X of those written; a number, for zeros too, or a file of n × n",
+      request.factor_bounds);
+  options.text("--reflectance-bounds", "X", "the same for reflectances: a number, or a file as theirs",
+               request.reflectance_bounds);
+  options.text("--emission-bounds", "X", "and for emissions", request.emission_bounds);
   options.real("--tolerance", "X",
                "proved bound asked, relative to each channel's largest radiosity (iterations: 1e-10)",
                request.tolerance, 1e-16, 1);
@@ -86,78 +89,11 @@ void declare(Options& options, Request& request) {
       "etendue solve --factors docs/examples/duct.csv --reflectance 0.5 --emission 2 --solver gmres --certify");
 }
 
-Error in_file(const std::string& file, const std::string& what) {
-  return {ErrorCode::invalid_input, printable(file) + ": " + what};
-}
-
-/// --reflectance, --emission or --areas: a number, or a file of them.
-struct Column {
-  std::string source;
-  NumberTable table;  ///< 1 × 1 for a number
-  bool number = false;
-};
-
-Result<Column> column(const std::string& option, const std::string& text) {
-  if (const auto value = parse_number(text)) {
-    return Column{option, {RowMatrix::Constant(1, 1, *value), true}, true};
-  }
-  auto table = read_number_table(text);
-  // A word that is neither a number nor a file: both are named.
-  if (!table && table.error().code == ErrorCode::input_output) {
-    return Error{table.error().code, option + ": expected a number or a file; " + table.error().message};
-  }
-  if (!table) return table.error();
-  return Column{text, std::move(table).value(), false};
-}
-
-/// For n patches and so many channels.
-Result<Eigen::MatrixXd> spread(const Column& column, Eigen::Index n, Eigen::Index channels) {
-  const RowMatrix& values = column.table.values;
-  if (!column.number && values.rows() != n) {
-    return in_file(column.source, "holds " + std::to_string(values.rows()) + " rows, expected " + std::to_string(n) +
-                                      ": one a patch, as the form factors have");
-  }
-  if (values.cols() != 1 && values.cols() != channels) {
-    return in_file(column.source, "holds " + std::to_string(values.cols()) + " columns, expected 1 or " +
-                                      std::to_string(channels) + ": one a channel");
-  }
-  Eigen::MatrixXd result(n, channels);
-  for (Eigen::Index c = 0; c < channels; ++c) {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      result(i, c) = values(column.number ? 0 : i, values.cols() == 1 ? 0 : c);
-    }
-  }
-  return result;
-}
-
-/// Everything that was read.
-struct Data {
-  FactorsFile factors;
-  RadiosityEquation equation;
-  bool decimal_reflectance = false, decimal_emission = false;
-  std::optional<RepairedFactors> repaired;
-};
-
-Result<Done> add_areas(Data& data, const Request& request) {
-  if (!request.areas) return Done{};
-  const auto areas = column("--areas", *request.areas);
-  if (!areas) return areas.error();
-  auto spread_areas = spread(*areas, data.factors.size(), 1);
-  if (!spread_areas) return spread_areas.error();
-  data.equation.areas = spread_areas->col(0);
-  for (Eigen::Index i = 0; i < data.equation.areas.size(); ++i) {
-    if (data.equation.areas(i) > 0) continue;
-    return in_file(areas->source,
-                   "row " + std::to_string(i) + ": area " + shortest(data.equation.areas(i)) + " is not positive");
-  }
-  return Done{};
-}
-
-Result<Done> repair(Data& data, const Request& request) {
+Result<Done> repair(FactorsData& data, const Request& request) {
   if (!request.repair) return Done{};
   auto* dense = std::get_if<RowMatrix>(&data.factors.factors);
   const RowMatrix all = dense != nullptr ? *dense : RowMatrix(std::get<SparseRows>(data.factors.factors));
-  auto mended = repaired(all, data.equation.areas);
+  auto mended = repaired(all, data.areas);
   if (!mended) return Error{mended.error().code, request.factors.string() + ": " + mended.error().message};
   data.factors.factors = mended->factors;
   data.factors.decimal = false;  // the numbers are our own
@@ -168,75 +104,22 @@ Result<Done> repair(Data& data, const Request& request) {
 /// Bytes for each pair of patches: the file's text or the doubles, F, the matrix of a direct solver and its copy, both ends.
 constexpr double kBytesAPair = 6 * sizeof(double);
 
-std::shared_ptr<const FormFactors> form_factors(const FactorsFile& file, const Schedule& schedule) {
-  if (const auto* dense = std::get_if<RowMatrix>(&file.factors))
-    return std::make_shared<DenseFactors>(*dense, schedule);
-  return std::make_shared<SparseFactors>(std::get<SparseRows>(file.factors), schedule);
-}
-
-Result<Data> read(const Request& request) {
-  auto factors = read_factors(request.factors);
-  if (!factors) return factors.error();
-  Data data{std::move(factors).value(), {}, false, false, {}};
-  const Eigen::Index n = data.factors.size();
+Result<FactorsData> read(const Request& request) {
+  auto data = read_factors_data(request);
+  if (!data) return data.error();
+  FactorsData read = std::move(data).value();
+  const Eigen::Index n = read.factors.size();
   const auto pairs = static_cast<double>(n) * static_cast<double>(n);
-  const bool sparse =
-      std::holds_alternative<SparseRows>(data.factors.factors) && !is_direct(*solver_named(request.solver));
+  const bool sparse = std::holds_alternative<SparseRows>(read.factors.factors) && !request.factor_bounds &&
+                      !is_direct(*solver_named(request.solver));
   if (const auto room = check_memory({sparse ? 0 : pairs * kBytesAPair, std::to_string(n) + " patches need",
                                       shortest(kBytesAPair) + " bytes for each of n² pairs",
                                       "give sparse form factors (.mtx) and an iteration (--solver gmres)"});
       !room) {
     return room.error();
   }
-  const auto rho = column("--reflectance", *request.reflectance), emission = column("--emission", *request.emission);
-  if (!rho) return rho.error();
-  if (!emission) return emission.error();
-  const Eigen::Index channels = std::max(rho->table.values.cols(), emission->table.values.cols());
-  auto all_rho = spread(*rho, n, channels), all_emission = spread(*emission, n, channels);
-  if (!all_rho) return all_rho.error();
-  if (!all_emission) return all_emission.error();
-  data.equation.reflectance = std::move(all_rho).value();
-  data.equation.emission = std::move(all_emission).value();
-  data.decimal_reflectance = rho->table.decimal;
-  data.decimal_emission = emission->table.decimal;
-  if (const auto areas = add_areas(data, request); !areas) return areas.error();
-  if (const auto mended = repair(data, request); !mended) return mended.error();
-  data.equation.factors = form_factors(data.factors, on_threads(request.common.threads));
-  return data;
-}
-
-/// What a decimal number may have meant that was read as this double. Zero is zero.
-double lower_reading(double value) {
-  return value == 0 ? 0 : below(value);
-}
-double upper_reading(double value) {
-  return value == 0 ? 0 : above(value);
-}
-
-template <class Matrix>
-Matrix readings(Matrix values, bool decimal, double (*reading)(double)) {
-  if (decimal) values = values.unaryExpr(reading);
-  return values;
-}
-
-FactorsFile readings(const FactorsFile& file, double (*reading)(double)) {
-  FactorsFile result = file;
-  if (!file.decimal) return result;
-  std::visit([reading](auto& matrix) { matrix = matrix.unaryExpr(reading).eval(); }, result.factors);
-  return result;
-}
-
-/// The equation between the two ends of every number as written.
-EnclosedRadiosityEquation enclosed(const Data& data, const Schedule& schedule) {
-  EnclosedRadiosityEquation ends;
-  ends.factors_lower = form_factors(readings(data.factors, lower_reading), schedule);
-  ends.factors_upper = form_factors(readings(data.factors, upper_reading), schedule);
-  ends.reflectance_lower = readings(data.equation.reflectance, data.decimal_reflectance, lower_reading);
-  ends.reflectance_upper = readings(data.equation.reflectance, data.decimal_reflectance, upper_reading);
-  ends.emission_lower = readings(data.equation.emission, data.decimal_emission, lower_reading);
-  ends.emission_upper = readings(data.equation.emission, data.decimal_emission, upper_reading);
-  ends.areas = data.equation.areas;
-  return ends;
+  if (const auto mended = repair(read, request); !mended) return mended.error();
+  return read;
 }
 
 /// Without --certify: the bound of the solve around it. B ≥ E, for nothing is taken from what a patch emits.
@@ -251,7 +134,9 @@ RadiosityEnclosure around(const RadiosityEquation& equation, const RadiosityRepo
   return result;
 }
 
-Result<FactorsSolution> solved(const Request& request, const Data& data, std::ostream& err) {
+Result<FactorsSolution> solved(const Request& request, const FactorsData& data, std::ostream& err) {
+  const Schedule schedule = on_threads(request.common.threads);
+  const RadiosityEquation equation = equation_of(data, schedule);
   RadiosityGoal goal;
   goal.solver = *solver_named(request.solver);
   goal.tolerance = request.tolerance > 0 ? request.tolerance : is_direct(goal.solver) ? 1 : kTolerance;
@@ -263,18 +148,18 @@ Result<FactorsSolution> solved(const Request& request, const Data& data, std::os
     if (run.progress) run.progress(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
     return !run.stopping();
   };
-  auto report = solve_radiosity(data.equation, goal);
+  auto report = solve_radiosity(equation, goal);
   if (!report) return report.error();
   FactorsSolution solution{request.solver, std::move(report).value(), {}, {}, {}};
-  solution.around = around(data.equation, solution.report);
-  if (data.equation.areas.size() > 0) {
-    for (Eigen::Index c = 0; c < data.equation.emission.cols(); ++c) {
-      solution.balances.push_back(power_balance(data.equation, solution.report, c));
+  solution.around = around(equation, solution.report);
+  if (equation.areas.size() > 0) {
+    for (Eigen::Index c = 0; c < equation.emission.cols(); ++c) {
+      solution.balances.push_back(power_balance(equation, solution.report, c));
     }
   }
   if (!request.certify || solution.report.status == RadiosityStatus::stopped) return solution;
   goal.rules.row_excess.reset();
-  auto certified = enclose_radiosity(enclosed(data, on_threads(request.common.threads)), goal);
+  auto certified = enclose_radiosity(enclosed(data, schedule), goal);
   if (!certified && certified.error().code == ErrorCode::invalid_input) return certified.error();
   if (certified) {
     solution.around = std::move(certified).value();
@@ -294,15 +179,13 @@ std::optional<std::string> incomplete(const Request& request) {
     return "--solver cg makes the system symmetric by the areas of the patches: give --areas FILE";
   }
   if (request.repair && !request.areas) return "--repair-closure keeps A_i F_ij = A_j F_ji: give --areas FILE";
-  return std::nullopt;
-}
-
-std::vector<fs::path> inputs(const Request& request) {
-  std::vector<fs::path> files{request.factors};
-  for (const auto& text : {request.reflectance, request.emission, request.areas}) {
-    if (text && !parse_number(*text)) files.emplace_back(*text);
+  if (request.has_bounds() && !request.certify) {
+    return "--factor-bounds, --reflectance-bounds and --emission-bounds say what --certify is to enclose: give it too";
   }
-  return files;
+  if (request.factor_bounds && request.repair) {
+    return "--factor-bounds are of the factors as written, --repair-closure changes them: expected one of them";
+  }
+  return std::nullopt;
 }
 
 int judged(const Request& request, const FactorsSolution& solution, std::ostream& err) {
@@ -331,7 +214,7 @@ int solve_factors(const std::vector<std::string>& arguments, std::ostream& out, 
   if (request.solver == "eigen") request.solver = "lu";
   const fs::path& output = request.common.output;
   if (!output.empty()) {
-    if (const auto free = check_outputs({output}, inputs(request)); !free) return fail(err, kName, free.error());
+    if (const auto free = check_outputs({output}, request.files()); !free) return fail(err, kName, free.error());
   }
   auto data = [&] {
     const NothingToSave reading;

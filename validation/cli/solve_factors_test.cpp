@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "radiosity/exact_system.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
@@ -122,6 +125,85 @@ TEST(SolveFactors, CertifiesTheDecimalsAsWritten) {
   }
 }
 
+/// The duct with each number at one end of what it may be, or at a share of the way: exact radiosities of one channel.
+DenseVector<CGAL::Gmpq> duct_between(const std::array<CGAL::Gmpq, 9>& f, CGAL::Gmpq factor_bound,
+                                     const std::array<CGAL::Gmpq, 3>& e, const std::function<CGAL::Gmpq()>& share) {
+  using Rational = CGAL::Gmpq;
+  const auto between = [&](const Rational& value, const Rational& bound) {
+    const Rational low = value < bound ? Rational(0) : Rational(value - bound);
+    return Rational(low + share() * (value + bound - low));
+  };
+  DenseMatrix<Rational> matrix(3, 3);
+  DenseVector<Rational> emission(3);
+  const Rational rho[] = {Rational(1, 2), Rational(3, 10), Rational(4, 5)},
+                 rho_bound[] = {Rational(1, 20), 0, Rational(1, 8)};
+  for (int i = 0; i < 3; ++i) {
+    emission(i) = between(e[static_cast<std::size_t>(i)], Rational(1, 4));
+    const Rational reflectance = between(rho[i], rho_bound[i]);
+    for (int j = 0; j < 3; ++j) {
+      matrix(i, j) =
+          Rational(i == j ? 1 : 0) - reflectance * between(f[static_cast<std::size_t>(3 * i + j)], factor_bound);
+    }
+  }
+  return gaussian_elimination<Rational>(matrix, emission).value();
+}
+
+// CLAIM      IU.6-9: --certify with --factor-bounds, --reflectance-bounds and --emission-bounds, numbers or files, encloses the exact
+//            solution of every system within the data: of their corners, and of systems between; and no more than that.
+// ORACLE     exact arithmetic: the decimals of command line and files as rationals, at 400 random corners and between, at both
+//            extreme corners.
+// TOLERANCE  none for the inclusion; the ends are those of the extreme corners to 1e-13, rounding outwards of a few data.
+TEST(SolveFactors, EnclosesEverySystemWithinTheData) {
+  proves({"IU.6-9"}, Oracle::exact, "systems at corners of the data in rationals (GMP)");
+  uses_seed(71);
+  using Rational = CGAL::Gmpq;
+  const Files files;
+  const Rational third(Rational("3333333333333333/10000000000000000")),
+      two(Rational("6666666666666667/10000000000000000"));
+  const std::array<Rational, 9> f{0, third, two, Rational(1, 4), 0, Rational(3, 4), Rational(2, 5), Rational(3, 5), 0};
+  const auto rho = files.folder.add("rho.csv", "0.5\n0.3\n0.8\n").string();
+  const auto rho_bounds = files.folder.add("rho-bounds.csv", "0.05\n0\n0.125\n").string();
+  const auto uniform = files.folder.add("bounds.csv", "0.01 0.01 0.01\n0.01 0.01 0.01\n0.01 0.01 0.01\n").string();
+  const auto sparse = files.folder
+                          .add("F.mtx",
+                               "%%MatrixMarket matrix coordinate real general\n3 3 6\n1 2 0.3333333333333333\n"
+                               "1 3 0.6666666666666667\n2 1 0.25\n2 3 0.75\n3 1 0.4\n3 2 0.6\n")
+                          .string();
+  const std::vector<std::vector<std::string>> forms{
+      {"--factors", files.factors, "--factor-bounds", "0.01"},
+      {"--factors", sparse, "--factor-bounds", uniform, "--solver", "gmres", "--tolerance", "1e-14"}};
+  for (const auto& form : forms) {
+    std::vector<std::string> words{"--reflectance",     rho,           "--reflectance-bounds",
+                                   rho_bounds,          "--emission",  files.emission,
+                                   "--emission-bounds", "0.25",        "--certify",
+                                   "--output",          files.output()};
+    words.insert(words.end(), form.begin(), form.end());
+    const Ended ended = solve(words);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const auto table = rows(read_text(files.output()));
+    CounterRandom random(71);
+    for (std::size_t c = 0; c < 2; ++c) {
+      const std::array<Rational, 3> e = c == 0 ? std::array<Rational, 3>{8, 0, 1} : std::array<Rational, 3>{1, 2, 3};
+      for (int trial = 0; trial < 402; ++trial) {
+        const auto share = [&]() -> Rational {
+          if (trial < 2) return trial;
+          const double u = random.unit();
+          return trial % 4 == 0 ? Rational(u) : Rational(u < 0.5 ? 0 : 1);
+        };
+        const auto exact = duct_between(f, Rational(1, 100), e, share);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double low = table[i][3 + 2 * c], high = table[i][4 + 2 * c];
+          const Rational& b = exact(static_cast<Eigen::Index>(i));
+          EXPECT_TRUE(holds(Rational(low) <= b && b <= Rational(high))) << "row " << i << " trial " << trial;
+          if (trial < 2) {
+            EXPECT_TRUE(near(trial == 0 ? low : high, CGAL::to_double(b), 1e-13 * (1 + high)));
+          }
+        }
+      }
+    }
+  }
+}
+
 // CLAIM      IU.6-7: form factors in .csv, in .mtx (sparse, symmetric, array) and in .npy (of either byte order and order of
 //            axes, single precision) are the same system.
 // ORACLE     closed form: two plates that see each other only, B = (E_1 + ρ E_2)/(1 − ρ²), and their mirror image.
@@ -229,6 +311,19 @@ TEST(SolveFactors, NamesWhatIsWrong) {
           "other.mtx:1: expected");
   refused(with_factors(files.add("none.npy", "no")), 3, "is no NumPy file");
   EXPECT_EQ(solve(with("--row-excess", "0.5")).code, 0);
+  const auto certified = [&](const std::string& option, const std::string& value) {
+    std::vector<std::string> words = with(option, value);
+    words.emplace_back("--certify");
+    return words;
+  };
+  refused(with("--factor-bounds", "0.01"), 2, "give it too");
+  refused(certified("--factor-bounds", "-0.01"), 3, "--factor-bounds: bound -0.01 is negative");
+  refused(certified("--factor-bounds", files.add("two.csv", "0 0\n0 0\n")), 3,
+          "holds 2 × 2 numbers, expected 3 × 3, as the form factors");
+  refused(certified("--emission-bounds", files.add("below.csv", "0\n-1\n0\n")), 3, "row 1: bound -1 is negative");
+  refused(certified("--reflectance-bounds", "0.5"), 3, "upper end: radiosity system: row 0: reflectance 1");
+  const Ended loose = solve(certified("--factor-bounds", "0.4"));
+  EXPECT_TRUE(holds(loose.code == 4 && says(loose, "known too loosely"))) << loose.err;
 }
 
 // CLAIM      IU.6-5, IU.6-6: rows that sum to more than 1 are repaired when asked, so that they close and stay reciprocal, and
