@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -32,6 +33,11 @@ Progress::~Progress() {
 }
 
 void Progress::show(std::size_t done, std::size_t total) {
+  if (tells_tenths_ && total > 0) {
+    const std::size_t tenths = 10 * done / total;
+    if (tenths > told_) err_ << title_ << " " << 10 * tenths << " %\n" << std::flush;
+    told_ = std::max(told_, tenths);
+  }
   const auto now = std::chrono::steady_clock::now();
   if (!visible_ || total == 0 || now - last_ < kRedraw) return;
   last_ = now;
@@ -45,7 +51,7 @@ Execution execution(const CommonOptions& common, Progress& progress) {
   Execution how;
   how.threads = common.threads;
   how.stop = &stop_requested();
-  if (progress.visible())
+  if (progress.visible() || progress.tells_tenths())
     how.progress = [&progress](std::size_t done, std::size_t total) { progress.show(done, total); };
   return how;
 }

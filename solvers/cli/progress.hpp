@@ -24,6 +24,9 @@ class Progress {
   /// Shows done/total; at most a few times a second.
   void show(std::size_t done, std::size_t total);
   bool visible() const { return visible_; }
+  /// A line for each tenth as well, where there is no terminal to draw on.
+  void tell_tenths() { tells_tenths_ = !visible_; }
+  bool tells_tenths() const { return tells_tenths_; }
   /// Further words after the percentage: rate, time that is left.
   void annotate(std::function<std::string(std::size_t done, std::size_t total)> note) { note_ = std::move(note); }
 
@@ -32,6 +35,8 @@ class Progress {
   std::string title_;
   bool visible_;
   bool drawn_ = false;
+  bool tells_tenths_ = false;
+  std::size_t told_ = 0;  ///< tenths
   std::function<std::string(std::size_t, std::size_t)> note_;
   std::chrono::steady_clock::time_point last_{};
 };

@@ -1,201 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_command.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <ostream>
 
-#include "etendue/core/version.hpp"
-#include "etendue/image/exposure.hpp"
 #include "etendue/io/atomic_file.hpp"
-#include "etendue/io/image_file.hpp"
-#include "etendue/io/scene_reader.hpp"
 #include "etendue/raytracing/camera_rays.hpp"
-#include "etendue/raytracing/render.hpp"
+#include "etendue/raytracing/preview.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 #include "memory.hpp"
-#include "options.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
 #include "ray_tree_output.hpp"
-#include "report_json.hpp"
+#include "render_report.hpp"
 #include "stop.hpp"
-#include "tone_options.hpp"
 
 namespace etendue::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 constexpr const char* kName = "render";
-constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
-constexpr int kMostSamples = 64;    // a side, 4,096 a pixel
-constexpr int kMostColumns = 1 << 14;
-constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
 /// At most at once: the picture, its copy for the PNG, which is exposed, and the bytes of the PNG.
 constexpr double kBytesAPixel = 2 * sizeof(Rgb) + 3;
-
-struct Request {
-  CommonOptions common;
-  fs::path scene;
-  RenderOptions render;
-  std::string accelerator = "bvh";
-  ToneOptions tone;
-  std::optional<std::string> pixel;  ///< of --ray-tree, as typed
-  int columns = 0;                   ///< 0: as the scene says
-};
-
-/// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
-/// has the time of writing (capDate), which OpenImageIO adds.
-ImageMetadata metadata(const Request& request, const SceneFile& file, const Rendering& rendering) {
-  const auto done = std::count(rendering.row_done.begin(), rendering.row_done.end(), char{1});
-  const std::string rows = std::to_string(done) + " of " + std::to_string(rendering.row_done.size());
-  return {{"etendue:version", version()},
-          {"etendue:method", "recursive ray tracing"},
-          {"etendue:scene", file.scene.name},
-          {"etendue:scene_hash", file.hash},
-          {"etendue:depth", std::to_string(request.render.limits.depth)},
-          {"etendue:cutoff", shortest(request.render.limits.cutoff)},
-          {"etendue:samples_per_side", std::to_string(request.render.samples_per_side)},
-          {"etendue:rows", rows + (rendering.complete ? "" : " (incomplete: the others are black)")}};
-}
-
-struct Written {
-  fs::path exr, png;
-  double scale = 1;   ///< what the PNG's values are multiplied by
-  Brightness bright;  ///< of the PNG, before values above 1 are cut
-};
-
-/// The pictures' names, when complete or when stopped.
-Written names(const Request& request, bool complete) {
-  const std::string name = output_stem(request.common.output, request.scene).string() + (complete ? "" : ".incomplete");
-  return {name + ".exr", name + ".png", 1, {}};
-}
-
-/// All files that this run may write.
-std::vector<fs::path> outputs(const Request& request) {
-  if (request.pixel)
-    return request.common.output.empty() ? std::vector<fs::path>{} : std::vector{request.common.output};
-  const Written whole = names(request, true), stopped = names(request, false);
-  return {whole.exr, whole.png, stopped.exr, stopped.png};
-}
-
-Result<Written> write_pictures(const Request& request, const SceneFile& file, const Rendering& rendering) {
-  Written written = names(request, rendering.complete);
-  ImageMetadata facts = metadata(request, file, rendering);
-  const auto exr = encode_image(written.exr, rendering.image, facts);
-  if (!exr) return exr.error();
-  const ToneMapping how = mapping(request.tone, 1);
-  const ToneMapped displayed = tone_mapped(rendering.image, how);
-  add_facts(facts, how, displayed.scale);
-  written.scale = displayed.scale;
-  written.bright = brightness(displayed.picture);
-  const auto png = encode_image(written.png, displayed.picture, facts);
-  if (!png) return png.error();
-  if (const auto both = write_files({*exr, *png}); !both) return both.error();
-  return written;
-}
-
-double per_ray(std::uint64_t tests, const RenderCounts& counts) {
-  return counts.rays() == 0 ? 0 : static_cast<double>(tests) / static_cast<double>(counts.rays());
-}
-
-void print_text(std::ostream& out, const Request& request, const SceneFile& file, const Rendering& rendering,
-                const Written& written, double seconds) {
-  const RenderCounts& counts = rendering.counts;
-  const TreeLimits& limits = request.render.limits;
-  const int side = request.render.samples_per_side;
-  const Brightness& bright = written.bright;
-  const ToneMapping how = mapping(request.tone, 1);
-  out << "scene       " << scene_line(file) << '\n'
-      << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, " << side << " × "
-      << side << " rays a pixel, depth " << limits.depth << ", cutoff " << shortest(limits.cutoff) << '\n'
-      << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
-      << counts.transmitted_rays << " transmitted, " << counts.shadow_rays << " to lights\n"
-      << "tests       " << rounded(per_ray(counts.tests.surfaces, counts)) << " surfaces and "
-      << rounded(per_ray(counts.tests.volumes, counts)) << " boxes a ray, by " << request.accelerator << '\n'
-      << "left out    " << counts.cut_by_depth << " rays by depth, " << counts.cut_by_cutoff
-      << " by cutoff; together at most " << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
-      << "brightness  " << rounded(bright.largest) << " at most";
-  if (bright.overflow > 0) {
-    out << "; " << counted(bright.overflow, "pixel") << (bright.overflow == 1 ? " is" : " are")
-        << " cut off in the PNG (";
-    if (how.tone == ToneOperator::reinhard) {
-      out << "a smaller --exposure would show them)";
-    } else {
-      out << "--exposure " << rounded(how.exposure / bright.largest) << " would show them)";
-    }
-  }
-  out << "\ntime        " << rounded(seconds) << " s\n"
-      << printable(written.exr.string()) << '\n'
-      << printable(written.png.string()) << '\n';
-}
-
-void print_json(std::ostream& out, const Request& request, const SceneFile& file, const Rendering& rendering,
-                const Written& written, double seconds) {
-  const RenderCounts& counts = rendering.counts;
-  const Brightness bright = brightness(rendering.image);
-  Json report;
-  report["program"] = std::string("etendue ") + version();
-  report["scene"] = {{"file", request.scene.string()}, {"name", file.scene.name}, {"hash", file.hash}};
-  report["settings"] = {{"depth", request.render.limits.depth},
-                        {"cutoff", request.render.limits.cutoff},
-                        {"samples_per_side", request.render.samples_per_side},
-                        {"accelerator", request.accelerator},
-                        {"exposure", written.scale},
-                        {"tone", tone_text(mapping(request.tone, 1))}};
-  report["picture"] = {{"columns", rendering.image.columns}, {"rows", rendering.image.rows},
-                       {"complete", rendering.complete},     {"largest_value", bright.largest},
-                       {"exr", written.exr.string()},        {"png", written.png.string()}};
-  report["rays"] = {{"eye", counts.eye_rays},
-                    {"reflected", counts.reflected_rays},
-                    {"transmitted", counts.transmitted_rays},
-                    {"shadow", counts.shadow_rays}};
-  report["tests"] = {{"surfaces", counts.tests.surfaces}, {"boxes", counts.tests.volumes}};
-  report["left_out"] = {{"by_depth", counts.cut_by_depth},
-                        {"by_cutoff", counts.cut_by_cutoff},
-                        {"largest_weight", counts.largest_cut_weight}};
-  report["seconds"] = seconds;
-  out << dumped(report, 2) << '\n';
-}
-
-/// Gives the picture so many columns, and rows in proportion, at least one; or says why that cannot be.
-std::optional<std::string> resize(Camera& camera, int columns) {
-  const double rows = std::max(1.0, std::round(static_cast<double>(columns) * camera.rows / camera.columns));
-  if (columns * rows > kMostPixels) {
-    return "option '--columns': found '" + std::to_string(columns) +
-           "', expected at most 2^28 pixels in all; in the scene's proportions these are " + std::to_string(columns) +
-           " × " + shortest(rows);
-  }
-  camera.columns = columns;
-  camera.rows = static_cast<int>(rows);  // at most 2^28
-  return std::nullopt;
-}
+/// For each further fact a pixel, and what the EXR wants.
+constexpr double kBytesAFact = sizeof(Rgb) + 3 * sizeof(float);
+/// Squares of the preview, each pass a quarter of the last one's area.
+constexpr int kPreviewSquares[] = {16, 8, 4, 2};
+constexpr std::chrono::seconds kPreviewPause{1};
 
 /// Refuses a picture that this machine cannot hold, before it is begun.
-Result<Done> check_room(const Camera& camera) {
+Result<Done> check_room(const RenderRequest& request, const Camera& camera) {
+  const PixelWindow window = request.render.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
+  const double bytes = kBytesAPixel + kBytesAFact * static_cast<double>(request.render.facts.size());
   return check_memory(
-      {static_cast<double>(camera.columns) * camera.rows * kBytesAPixel,
-       "a picture of " + std::to_string(camera.columns) + " × " + std::to_string(camera.rows) + " pixels needs",
-       shortest(kBytesAPixel) + " bytes a pixel", "make it smaller (--columns)"});
-}
-
-/// What --ray-tree does not go with, if asked for.
-std::optional<std::string> misuse(const Request& request) {
-  if (!request.pixel || request.common.output.empty() || request.common.output.extension() == ".dot")
-    return std::nullopt;
-  return "option '--output': found '" + request.common.output.string() +
-         "', expected a name that ends in .dot, since --ray-tree makes a graph";
+      {static_cast<double>(window.columns()) * window.rows() * bytes,
+       "a picture of " + std::to_string(window.columns()) + " × " + std::to_string(window.rows()) + " pixels needs",
+       shortest(bytes) + " bytes a pixel", "make it smaller (--columns)"});
 }
 
 /// --ray-tree: the tree of the ray through a pixel's centre, as text or JSON, or, with --output NAME.dot, as a graph.
-int explain_pixel(const Request& request, const Options& options, const SceneFile& file, const Accelerator& accelerator,
-                  std::ostream& out, std::ostream& err) {
+int explain_pixel(const RenderRequest& request, const Options& options, const SceneFile& file,
+                  const Accelerator& accelerator, std::ostream& out, std::ostream& err) {
   const Scene& scene = file.scene;
   const auto pixel = read_pixel(*request.pixel, scene.camera);
   if (!pixel) {
@@ -221,53 +70,86 @@ int explain_pixel(const Request& request, const Options& options, const SceneFil
   return 0;
 }
 
-AcceleratorKind accelerator_named(const std::string& name) {
-  if (name == "spheres") return AcceleratorKind::bounding_spheres;
-  if (name == "grid") return AcceleratorKind::grid;
-  if (name == "octree") return AcceleratorKind::octree;
-  return name == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
-}
+/// Shows a coarse picture that becomes finer, then the rows that are done over it.
+class Preview {
+ public:
+  Preview(const RenderRequest& request, const Accelerator& accelerator)
+      : request_(request), accelerator_(accelerator) {}
 
-void declare(Options& options, Request& request) {
-  options.argument("SCENE", "scene file (JSON)", request.scene);
-  options.integer("--depth", "D", "greatest level of a ray; rays from the eye are of level 0 (default: 12)",
-                  request.render.limits.depth, 0, kMostBounces);
-  options.real("--cutoff", "C", "do not follow rays whose weight in the pixel is below C (default: 0, follow all)",
-               request.render.limits.cutoff, 0, 1);
-  options.integer("--samples", "N", "N × N rays a pixel (default: 2)", request.render.samples_per_side, 1,
-                  kMostSamples);
-  options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
-                  request.columns, 1, kMostColumns);
-  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute"},
-                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one; same picture "
-                 "(default: bvh)",
-                 request.accelerator);
-  add_tone(options, request.tone, "1");
-  options.text("--ray-tree", "COLUMN,ROW",
-               "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
-               request.pixel);
-  add_common(options, request.common,
-             "NAME.exr or NAME.png: both are written (default: the scene's name, in this folder)");
-  options.note(
-      "The EXR holds linear values and, like the PNG, says in its metadata how it was made. After Ctrl-C the rows "
-      "that\n"
-      "are done are saved as NAME.incomplete.exr and .png, and the exit code is 6.");
-  options.example("etendue render scenes/mirrors/scene.json --output mirrors.png");
-  options.example("etendue render scenes/mirrors/scene.json --depth 1 --samples 1 --json --output mirrors-1.png");
-  options.example("etendue render scenes/mirrors/scene.json --ray-tree 250,200");
+  /// The passes before the picture itself is begun.
+  Result<Done> begin(const Execution& execution) {
+    Execution quiet = execution;
+    quiet.progress = nullptr;
+    for (const int step : kPreviewSquares) {
+      const auto coarse = etendue::preview(accelerator_, request_.render, step, quiet);
+      if (!coarse) return coarse.error();
+      if (!*coarse) break;  // stopped
+      image_ = **coarse;
+      if (const auto written = write_preview(request_, image_); !written) return written;
+    }
+    last_ = Clock::now();
+    return Done{};
+  }
+
+  void show(const Rendering& rendering) {
+    if (!rendering.complete && Clock::now() - last_ < kPreviewPause) return;
+    for (int row = 0; row < rendering.image.rows && image_.columns > 0; ++row) {
+      if (!rendering.row_done[static_cast<std::size_t>(row)]) continue;
+      for (int column = 0; column < rendering.image.columns; ++column)
+        image_.at(column, row) = rendering.image.at(column, row);
+    }
+    if (image_.columns > 0 && failure_.ok()) failure_ = write_preview(request_, image_);
+    last_ = Clock::now();
+  }
+
+  const Result<Done>& outcome() const { return failure_; }
+
+ private:
+  const RenderRequest& request_;
+  const Accelerator& accelerator_;
+  Image image_;
+  Result<Done> failure_ = Done{};
+  Clock::time_point last_{};
+};
+
+/// The rendering, from the start or from where a stopped run has left it.
+Result<Rendering> rendered(const RenderRequest& request, const SceneFile& file, const Accelerator& accelerator,
+                           std::ostream& err) {
+  RenderSession session;
+  Rendering before;
+  std::error_code absent;
+  const fs::path saved = render_files(request, false).saved;
+  if (request.resume && !fs::exists(saved, absent)) {
+    err << "etendue render: nothing to resume: there is no " << quoted_path(saved) << '\n';
+  } else if (request.resume) {
+    auto read = read_saved(request, file);
+    if (!read) return read.error();
+    before = std::move(read).value();
+    session.before = &before;
+  }
+  Progress progress(err, "render", request.common);  // wiped before anything is printed
+  if (request.progress) progress.tell_tenths();
+  const Execution how = execution(request.common, progress);
+  Preview shown(request, accelerator);
+  if (!request.preview.empty()) {
+    if (const auto begun = shown.begin(how); !begun) return begun.error();
+    session.watch = [&](const Rendering& rendering) { shown.show(rendering); };
+  }
+  auto rendering = etendue::render(accelerator, request.render, how, session);
+  if (rendering.ok() && !shown.outcome().ok()) return shown.outcome().error();
+  return rendering;
 }
 
 }  // namespace
 
 int render(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
-  Request request;
+  RenderRequest request;
   request.render.limits.depth = 12;
-  request.render.samples_per_side = 2;
+  request.render.sampling.samples_per_side = 0;  // as the scheme is used to
   Options options(kName, "Render a scene by recursive ray tracing.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
-  if (const auto complaint = misuse(request)) return options.usage_error(err, *complaint);
-  if (const auto complaint = contradiction(request.tone)) return options.usage_error(err, *complaint);
+  if (const auto complaint = settle(request)) return options.usage_error(err, *complaint);
   auto read = [&] {
     const NothingToSave reading;
     return read_scene(request.scene);
@@ -275,29 +157,25 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   if (!read) return fail(err, kName, read.error());
   SceneFile file = std::move(read).value();
   if (!request.pixel) {  // opens the module for images, which takes longer than refusing a scene
-    const fs::path picture = request.common.output.empty() ? names(request, true).png : request.common.output;
+    const fs::path picture = request.common.output.empty() ? render_files(request, true).png : request.common.output;
     if (const auto fit = check_image_path(picture); !fit) return fail(err, kName, fit.error());
   }
-  if (const auto free = check_outputs(outputs(request), file.files); !free) return fail(err, kName, free.error());
-  if (request.columns > 0) {
-    if (const auto complaint = resize(file.scene.camera, request.columns)) return options.usage_error(err, *complaint);
-  }
+  if (const auto free = check_outputs(render_outputs(request), file.files); !free)
+    return fail(err, kName, free.error());
+  if (const auto complaint = settle_size(request, file.scene.camera)) return options.usage_error(err, *complaint);
   if (!request.pixel) {
-    if (const auto room = check_room(file.scene.camera); !room) {
+    if (const auto room = check_room(request, file.scene.camera); !room) {
       return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
-  const auto accelerator = make_accelerator(file.scene, accelerator_named(request.accelerator));
+  const auto accelerator = make_accelerator(file.scene, request.accelerator_kind());
   if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);
 
-  const auto begin = std::chrono::steady_clock::now();
-  const auto rendering = [&] {
-    Progress progress(err, "render", request.common);  // wiped before anything is printed
-    return etendue::render(*accelerator, request.render, execution(request.common, progress));
-  }();
+  const auto begin = Clock::now();
+  const auto rendering = rendered(request, file, *accelerator, err);
   if (!rendering) return fail(err, kName, rendering.error());
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  const auto written = write_pictures(request, file, *rendering);
+  const std::chrono::duration<double> elapsed = Clock::now() - begin;
+  const auto written = write_rendering(request, file, *rendering);
   if (!written) return fail(err, kName, written.error());
 
   if (request.common.json) {
@@ -306,7 +184,9 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
     print_text(out, request, file, *rendering, *written, elapsed.count());
   }
   if (rendering->complete) return 0;
-  return fail(err, kName, {ErrorCode::stopped, "stopped; the rows that were done are in " + quoted_path(written->exr)});
+  return fail(err, kName,
+              {ErrorCode::stopped, "stopped; the rows that were done are in " + quoted_path(written->exr) +
+                                       ", and --resume goes on from " + quoted_path(written->saved)});
 }
 
 }  // namespace etendue::cli

@@ -267,10 +267,12 @@ TEST(Program, SavesWhatIsDoneWhenInterrupted) {
   const auto saves = [&](const Ended& ended, const std::string& name) {
     EXPECT_EQ(ended.signal, 0);
     EXPECT_TRUE(holds(ended.code == 6)) << ended.code << ended.err;
-    EXPECT_TRUE(holds(folder.contents() == name + ".incomplete.exr " + name + ".incomplete.png large.json"))
+    EXPECT_TRUE(
+        holds(folder.contents() == name + ".incomplete.exr " + name + ".incomplete.png " + name + ".resume large.json"))
         << folder.contents();
     std::filesystem::remove(folder.path() / (name + ".incomplete.exr"));
     std::filesystem::remove(folder.path() / (name + ".incomplete.png"));
+    std::filesystem::remove(folder.path() / (name + ".resume"));
   };
   saves(run_etendue({"render", scene, "--samples", "32", "--output", (folder.path() / "a.exr").string()}, options),
         "a");

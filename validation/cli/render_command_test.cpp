@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "etendue/io/image_file.hpp"
 #include "support/evidence.hpp"
@@ -179,6 +180,118 @@ TEST(RenderCommand, RefusesAPictureThatNoMemoryHolds) {
   const Ended rendered = run_etendue(smaller);
   EXPECT_TRUE(holds(rendered.code == 0)) << rendered.err;
   EXPECT_TRUE(holds(folder.contents() == "a.exr a.png wide.json")) << folder.contents();
+}
+
+// CLAIM      --crop, --size, --sampling, --filter, --aov and --preview do what they say: the crop has the bits of the whole, the EXR the
+//            channels, the preview ends as the PNG.
+// ORACLE     metamorphic: the whole picture.
+// TOLERANCE  none.
+TEST(RenderCommand, CropsFiltersAndAddsChannels) {
+  proves({}, Oracle::metamorphic, "the whole picture");
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"render",   mirrors(),    "--size",
+                                       "40x30",    "--sampling", "adaptive-jittered",
+                                       "--filter", "gaussian",   "--threshold",
+                                       "0.1",      "--seed",     "4",
+                                       "--quiet",  "--output",   (folder.path() / name).string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_etendue(arguments);
+  };
+  const Ended whole = run("whole.exr", {"--preview", (folder.path() / "look.png").string(), "--progress"});
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const Ended part = run("part.exr", {"--crop", "8,5,29,17", "--aov", "all"});
+  ASSERT_EQ(part.code, 0) << part.err;
+  EXPECT_TRUE(holds(folder.contents() == "look.png part.exr part.png whole.exr whole.png")) << folder.contents();
+  EXPECT_TRUE(holds(whole.err.find("render 50 %\n") != std::string::npos)) << whole.err;
+  const auto large = read_image(folder.path() / "whole.exr"), small = read_image(folder.path() / "part.exr");
+  ASSERT_TRUE(large.ok() && small.ok());
+  ASSERT_EQ(small->columns, 21);
+  ASSERT_EQ(small->rows, 12);
+  std::uint64_t wrong = 0;
+  for (int row = 0; row < 12; ++row) {
+    for (int column = 0; column < 21; ++column)
+      wrong += (small->at(column, row) != large->at(column + 8, row + 5)).any() ? 1u : 0u;
+  }
+  EXPECT_TRUE(all_agree(wrong, 21 * 12));
+  const auto look = read_image(folder.path() / "look.png"), shown = read_image(folder.path() / "whole.png");
+  ASSERT_TRUE(look.ok() && shown.ok());
+  wrong = 0;
+  for (std::size_t i = 0; i < look->pixels.size(); ++i) wrong += (look->pixels[i] != shown->pixels[i]).any() ? 1u : 0u;
+  EXPECT_TRUE(all_agree(wrong, look->pixels.size()));
+  const auto channels = read_image_channels(folder.path() / "part.exr");
+  ASSERT_TRUE(channels.ok());
+  std::set<std::string> names;
+  for (const ImageChannel& channel : *channels) names.insert(channel.name);
+  const std::set<std::string> expected{"depth",    "normal.X", "normal.Y", "normal.Z", "albedo.R",
+                                       "albedo.G", "albedo.B", "object",   "samples",  "tree_depth"};
+  EXPECT_TRUE(holds(names == expected));
+}
+
+// CLAIM      A rendering that was interrupted goes on with --resume, to the bytes of one that was not, and clears up; with other
+//            settings it is refused with 3.
+// ORACLE     metamorphic: the PNG of a rendering without a pause.
+// TOLERANCE  none.
+TEST(RenderCommand, ResumesAfterAnInterruption) {
+  proves({}, Oracle::metamorphic, "the PNG of a rendering without a pause");
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments{"render",    mirrors(),    "--columns", "300",      "--samples",
+                                     "6",         "--sampling", "jittered",  "--filter", "tent",
+                                     "--threads", "1",          "--output"};
+  const auto to = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> all = arguments;
+    all.push_back((folder.path() / name).string());
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  ProcessOptions stop;
+  stop.interrupt_after = 0.8;
+  const Ended stopped = run_etendue(to("a.png", {}), stop);
+  ASSERT_EQ(stopped.code, 6) << stopped.err;
+  EXPECT_TRUE(holds(folder.contents() == "a.incomplete.exr a.incomplete.png a.resume")) << folder.contents();
+  const Ended other = run_etendue(to("a.png", {"--resume", "--depth", "3"}));
+  EXPECT_TRUE(holds(other.code == 3)) << other.err;
+  const Ended resumed = run_etendue(to("a.png", {"--resume"}));
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_TRUE(holds(folder.contents() == "a.exr a.png")) << folder.contents();
+  const Ended whole = run_etendue(to("b.png", {}));
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  EXPECT_TRUE(holds(read_text(folder.path() / "a.png") == read_text(folder.path() / "b.png")));
+  const auto rays = [](const Ended& ended) {
+    const auto begin = ended.out.find("rays ");
+    return ended.out.substr(begin, ended.out.find('\n', begin) - begin);
+  };
+  EXPECT_TRUE(holds(rays(resumed) == rays(whole))) << rays(resumed) << "\n" << rays(whole);
+}
+
+// CLAIM      Options of render that mean nothing are refused with 2 and say what is expected; nothing is written.
+// ORACLE     table: one case a rule.
+// TOLERANCE  none.
+TEST(RenderCommand, RefusesWhatMeansNothing) {
+  proves({}, Oracle::table, "one case a rule");
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--size", "40"}, "COLUMNSxROWS"},
+      {{"--size", "0x7"}, "COLUMNSxROWS"},
+      {{"--size", "9x9", "--columns", "8"}, "both say how wide"},
+      {{"--crop", "0,0,501,5"}, "LEFT,TOP,RIGHT,BOTTOM"},
+      {{"--crop", "5,5,5,9"}, "LEFT,TOP,RIGHT,BOTTOM"},
+      {{"--threshold", "0.1"}, "is for --sampling adaptive"},
+      {{"--sampling", "adaptive", "--threshold", "0.1,0.2"}, "a contrast in [0, 1]"},
+      {{"--sampling", "adaptive", "--threshold", "nan"}, "a contrast in [0, 1]"},
+      {{"--sampling", "adaptive", "--samples", "3"}, "is not 1, 2, 4, 8 or 16"},
+      {{"--aov", "depht"}, "some of depth, normal"},
+      {{"--preview", "a.exr"}, "a name that ends in .png"},
+      {{"--ray-tree", "1,1", "--resume"}, "makes no picture"},
+  };
+  for (const auto& [options, words] : cases) {
+    std::vector<std::string> arguments{"render", mirrors(), "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    if (options[0] != "--ray-tree") arguments.insert(arguments.end(), {"--output", (folder.path() / "a.png").string()});
+    const Ended ended = run_etendue(arguments);
+    EXPECT_TRUE(holds(ended.code == 2 && ended.err.find(words) != std::string::npos)) << options[1] << ended.err;
+  }
+  EXPECT_EQ(folder.contents(), "");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Rendering rendered(const Scene& scene, AcceleratorKind kind, int depth, int samp
   const auto accelerator = make_accelerator(scene, kind);
   RenderOptions options;
   options.limits.depth = depth;
-  options.samples_per_side = samples;
+  options.sampling.samples_per_side = samples;
   Execution execution;
   execution.threads = threads;
   return render(*accelerator, options, execution).value();

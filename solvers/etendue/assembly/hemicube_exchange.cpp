@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "etendue/assembly/split_mix.hpp"
+#include "etendue/core/split_mix.hpp"
 #include "etendue/core/contract.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 

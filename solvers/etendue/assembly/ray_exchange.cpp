@@ -8,7 +8,7 @@
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/assembly/round_checks.hpp"
-#include "etendue/assembly/split_mix.hpp"
+#include "etendue/core/split_mix.hpp"
 #include "etendue/form_factor/patch_chart.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/meeting.hpp"

@@ -7,6 +7,7 @@
 #include <new>
 #include <optional>
 
+#include "etendue/core/contract.hpp"
 #include "etendue/io/image_module.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -18,6 +19,8 @@ namespace fs = std::filesystem;
 
 /// 2^28 pixels: 6 GiB of doubles. What a corrupt header claims is refused before it is allocated.
 constexpr long long kMostPixels = 1LL << 28;
+/// Of a pixel: colours, and what a renderer tells besides.
+constexpr int kMostChannels = 64;
 
 enum class Format { exr, png };
 
@@ -70,11 +73,12 @@ unsigned char display_byte(double linear) {
   return static_cast<unsigned char>(std::lround(level));
 }
 
-std::vector<float> linear_samples(const Image& image) {
+std::vector<float> linear_samples(const Image& image, const std::vector<ImageChannel>& further) {
   std::vector<float> samples;
-  samples.reserve(image.pixels.size() * 3);
-  for (const auto& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel) samples.push_back(static_cast<float>(pixel[channel]));
+  samples.reserve(image.pixels.size() * (3 + further.size()));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) samples.push_back(static_cast<float>(image.pixels[i][channel]));
+    for (const ImageChannel& channel : further) samples.push_back(channel.values[i]);
   }
   return samples;
 }
@@ -92,12 +96,13 @@ std::vector<unsigned char> display_samples(const Image& image) {
 struct Picture {
   int columns = 0, rows = 0, channels = 0;
   std::vector<float> samples;
+  std::vector<std::string> names;
   ImageMetadata metadata;
 };
 
 float* allocate(void* context, int columns, int rows, int channels) {
   const long long pixels = static_cast<long long>(columns) * rows;
-  if (columns < 1 || rows < 1 || channels < 1 || channels > 4 || pixels > kMostPixels) return nullptr;
+  if (columns < 1 || rows < 1 || channels < 1 || channels > kMostChannels || pixels > kMostPixels) return nullptr;
   auto& picture = *static_cast<Picture*>(context);
   picture.columns = columns;
   picture.rows = rows;
@@ -108,6 +113,10 @@ float* allocate(void* context, int columns, int rows, int channels) {
     return nullptr;
   }
   return picture.samples.data();
+}
+
+void keep_name(void* context, const char* name) {
+  static_cast<Picture*>(context)->names.emplace_back(name);
 }
 
 void keep_attribute(void* context, const char* name, const char* text) {
@@ -136,7 +145,7 @@ Result<Picture> read_picture(const fs::path& path) {
   if (!module) return module.error();
   Picture picture;
   std::array<char, 400> reason{};
-  const bool read = (*module)->read(path.c_str(), reader_name(*format), &picture, allocate, keep_attribute,
+  const bool read = (*module)->read(path.c_str(), reader_name(*format), &picture, allocate, keep_name, keep_attribute,
                                     reason.data(), static_cast<int>(reason.size()));
   if (!read) return failure("read", path, reason.data());
   return picture;
@@ -164,7 +173,8 @@ Result<Done> write_image(const fs::path& path, const Image& image, const ImageMe
   return write_files({*file});
 }
 
-Result<NewFile> encode_image(const fs::path& path, const Image& image, const ImageMetadata& metadata) {
+Result<NewFile> encode_image(const fs::path& path, const Image& image, const ImageMetadata& metadata,
+                             const std::vector<ImageChannel>& further) {
   if (auto fit = check_image_path(path); !fit) return fit.error();
   if (image.columns < 1 || image.rows < 1) return unfit(path, "has no pixels");
   if (const auto pixel = find_unfit_pixel(image)) return unfit(path, *pixel);
@@ -172,12 +182,19 @@ Result<NewFile> encode_image(const fs::path& path, const Image& image, const Ima
   if (!module) return module.error();
 
   const Format format = *format_of(path);
+  std::vector<const char*> names{"R", "G", "B"};
+  for (const ImageChannel& channel : further) {
+    require(format == Format::exr && channel.values.size() == image.pixels.size(),
+            "encode_image: further channels go to .exr and have a value a pixel");
+    names.push_back(channel.name.c_str());
+  }
   std::vector<float> linear;
   std::vector<unsigned char> bytes;
-  EtendueSamples samples{image.columns, image.rows, 3, nullptr, nullptr};
+  EtendueSamples samples{image.columns, image.rows, static_cast<int>(names.size()), nullptr, nullptr, nullptr};
   if (format == Format::exr) {
-    linear = linear_samples(image);
+    linear = linear_samples(image, further);
     samples.linear = linear.data();
+    samples.names = names.data();
   } else {
     bytes = display_samples(image);
     samples.bytes = bytes.data();
@@ -209,6 +226,18 @@ Result<Image> read_image(const fs::path& path) {
     }
   }
   return image;
+}
+
+Result<std::vector<ImageChannel>> read_image_channels(const fs::path& path) {
+  auto picture = read_picture(path);
+  if (!picture) return picture.error();
+  std::vector<ImageChannel> channels;
+  for (std::size_t channel = 3; channel < picture->names.size(); ++channel) {
+    channels.push_back({picture->names[channel], {}});
+    for (std::size_t i = channel; i < picture->samples.size(); i += picture->names.size())
+      channels.back().values.push_back(picture->samples[i]);
+  }
+  return channels;
 }
 
 Result<ImageMetadata> read_image_metadata(const fs::path& path) {

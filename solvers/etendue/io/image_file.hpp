@@ -15,6 +15,12 @@ namespace etendue {
 /// Name and text of what a picture says about itself: version, scene hash, settings.
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
+/// One number more a pixel, besides red, green and blue, row by row.
+struct ImageChannel {
+  std::string name;
+  std::vector<float> values;
+};
+
 /// Writes a picture, complete or not at all (write_file()).
 ///
 ///     .exr   linear, 32-bit float, ZIP-compressed; each value rounded to the nearest float; metadata as attributes
@@ -27,9 +33,12 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
                                        const ImageMetadata& metadata = {});
 
 /// The bytes that write_image() would write to this path, of which only the extension matters: for files that are to
-/// appear together (write_files()).
+/// appear together (write_files()). An .exr can hold `further` channels.
+///
+/// Domain    each of these has as many values as the image has pixels, all finite; none for .png
 [[nodiscard]] Result<NewFile> encode_image(const std::filesystem::path& path, const Image& image,
-                                           const ImageMetadata& metadata = {});
+                                           const ImageMetadata& metadata = {},
+                                           const std::vector<ImageChannel>& further = {});
 
 /// Refuses an extension other than .exr and .png, and where the module that holds OpenImageIO is missing: to be asked
 /// before a long computation, as check_writable() is.
@@ -38,6 +47,9 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 /// Reads what write_image() wrote, or any other RGB (or grey, or RGBA without its alpha) .exr or .png; a PNG's values
 /// are decoded to linear. The content must be of the kind that the extension says.
 [[nodiscard]] Result<Image> read_image(const std::filesystem::path& path);
+
+/// The channels of a picture after red, green and blue (or grey, or before, as the file has them), in the file's order.
+[[nodiscard]] Result<std::vector<ImageChannel>> read_image_channels(const std::filesystem::path& path);
 
 /// The metadata of a picture: its text attributes, in the file's order.
 [[nodiscard]] Result<ImageMetadata> read_image_metadata(const std::filesystem::path& path);

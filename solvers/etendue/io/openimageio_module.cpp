@@ -33,6 +33,7 @@ bool write(const char* format, const EtendueSamples* samples, const char* const*
   OIIO::ImageSpec spec(samples->columns, samples->rows, samples->channels, type);
   spec.attribute("oiio:ColorSpace", samples->bytes ? "sRGB" : "Linear");
   if (!samples->bytes) spec.attribute("compression", "zip");
+  if (samples->names) spec.channelnames.assign(samples->names, samples->names + samples->channels);
   for (int i = 0; i < pairs; ++i) spec.attribute(metadata[2 * i], metadata[2 * i + 1]);
   OIIO::Filesystem::IOVecOutput bytes;
   if (!file->set_ioproxy(&bytes)) return fail(reason, size, "the writer for " + std::string(format) + " wants a file");
@@ -67,8 +68,8 @@ class QuietStderr {
   std::FILE* before_;
 };
 
-bool read(const char* path, const char* format, void* context, EtendueAllocate allocate, EtendueAttribute attribute,
-          char* reason, int size) try {
+bool read(const char* path, const char* format, void* context, EtendueAllocate allocate, EtendueChannel channel,
+          EtendueAttribute attribute, char* reason, int size) try {
   const QuietStderr quiet;
   auto file = OIIO::ImageInput::create(format);
   if (!file) return fail(reason, size, "no reader for " + std::string(format) + ": " + OIIO::geterror());
@@ -77,6 +78,7 @@ bool read(const char* path, const char* format, void* context, EtendueAllocate a
   for (const auto& extra : spec.extra_attribs) {
     if (extra.type() == OIIO::TypeString) attribute(context, extra.name().c_str(), extra.get_string().c_str());
   }
+  for (const auto& name : spec.channelnames) channel(context, name.c_str());
   float* pixels = allocate(context, spec.width, spec.height, spec.nchannels);
   if (!pixels) return fail(reason, size, "more pixels than can be held");
   if (!file->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels)) {

@@ -11,12 +11,15 @@ struct EtendueSamples {
   int columns;
   int rows;
   int channels;
+  const char* const* names;    ///< of the channels; null: R, G, B
   const float* linear;         ///< for .exr; null otherwise
   const unsigned char* bytes;  ///< for .png: sRGB-encoded; null otherwise
 };
 
 /// Called once with the size of a picture; returns where to put columns · rows · channels floats, or null to give up.
 using EtendueAllocate = float* (*)(void* context, int columns, int rows, int channels);
+/// Called for each channel, in the order of a pixel's samples.
+using EtendueChannel = void (*)(void* context, const char* name);
 /// Called for each text attribute.
 using EtendueAttribute = void (*)(void* context, const char* name, const char* text);
 /// Called once with all bytes of a file; false if they cannot be kept.
@@ -29,7 +32,7 @@ struct EtendueImageModule {
   bool (*write)(const char* format, const EtendueSamples* samples, const char* const* metadata, int pairs,
                 void* context, EtendueBytes keep, char* reason, int reason_size);
   /// Opens with the reader of `format` ("openexr" or "png") and no other. Bytes come back as value/255, still encoded.
-  bool (*read)(const char* path, const char* format, void* context, EtendueAllocate allocate,
+  bool (*read)(const char* path, const char* format, void* context, EtendueAllocate allocate, EtendueChannel channel,
                EtendueAttribute attribute, char* reason, int reason_size);
 };
 
@@ -37,4 +40,4 @@ struct EtendueImageModule {
 const EtendueImageModule* etendue_image_module();
 }
 
-inline constexpr int kEtendueImageInterface = 2;
+inline constexpr int kEtendueImageInterface = 3;

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "etendue/execution/execution.hpp"
 #include "etendue/image/image.hpp"
+#include "etendue/raytracing/sampling.hpp"
 #include "etendue/raytracing/shade.hpp"
 
 namespace etendue {
 
+/// A rectangle of pixels: columns [left, right), rows [top, bottom), counted from the picture's upper left corner.
+struct PixelWindow {
+  int left = 0, top = 0, right = 0, bottom = 0;
+  int columns() const { return right - left; }
+  int rows() const { return bottom - top; }
+};
+
+/// What else a picture can tell of each pixel, besides its colour.
+enum class PictureFact {
+  depth,       ///< along the ray through the pixel's centre, the distance from the eye; 0 where it meets nothing
+  normal,      ///< there, the surface's unit normal on the viewer's side, x, y, z in the scene; 0 where there is none
+  albedo,      ///< there, k_d
+  object,      ///< there, the index of the object; −1 where there is none
+  samples,     ///< number of samples on which the pixel rests, but for what a filter takes from the neighbours
+  tree_depth,  ///< greatest level of a ray that was followed for these
+};
+
 /// What a picture is asked to be.
 struct RenderOptions {
   TreeLimits limits;
-  int samples_per_side = 1;  ///< N: each pixel is the mean of N × N rays
+  Sampling sampling;
+  PixelFilter filter;
+  std::optional<PixelWindow> crop;  ///< only this part, with the bits it has in the whole
+  std::vector<PictureFact> facts;
 };
 
 /// The work a picture was, and what was left out of it.
@@ -29,25 +52,39 @@ struct RenderCounts {
   RenderCounts& operator+=(const RenderCounts& other);
 };
 
+/// What became of a row of the whole camera picture, in the two steps of RowSampler.
+struct RowCounts {
+  RenderCounts begun, completed;
+};
+
 /// A picture and how it came about. Rows that were not computed (stopped) are black and false in row_done.
 struct Rendering {
   Image image;
   std::vector<char> row_done;
-  RenderCounts counts;
+  std::vector<Image> facts;  ///< in the order of RenderOptions::facts; where one number is told, in all channels
+  std::vector<RowCounts> row_counts;  ///< by row of the camera's picture: of a crop, more than it shows
+  RenderCounts counts;                ///< their sum; rays for facts are not counted
   bool complete = false;
 };
 
-/// Positions of N samples across a pixel: the centres of N equal parts.                            @eq IU.5.8.1
-[[nodiscard]] double sample_position(int index, int samples_per_side);
+/// What a rendering goes on from, and whom it shows itself to while it grows.
+struct RenderSession {
+  const Rendering* before = nullptr;                      ///< of the same scene and options: its finished rows are kept
+  std::function<void(const Rendering&)> watch = nullptr;  ///< called now and then, from the caller's thread
+};
 
 /// Recursive ray tracing of the scene as its camera sees it.                                       @eq IU.5-2, IU.5.2
 ///
-/// Each pixel is divided into N × N equal parts, a ray is traced through the centre of each (uniform supersampling),
-/// and the pixel is their mean (box filter), summed row by row from the top left.
+/// Samples are taken as RowSampler takes them, and filtered into pixels by FilterRow.
 ///
-/// Returns   linear colours, not clamped; the same bits for any number of threads and either accelerator
-/// Errors    those of camera_frame(); options outside depth ≥ 0, cutoff ≥ 0, N ≥ 1 are refused as a usage error
+/// Returns   linear colours, not clamped; the same bits for any number of threads, any accelerator, in any crop, and however
+///           often it was stopped and resumed; counts likewise, but for a crop, whose neighbours are looked at, too
+/// Errors    those of camera_frame(); options outside depth ≥ 0, cutoff ≥ 0, fault(sampling), a filter radius in (0, 16], a crop
+///           in the picture are refused as a usage error
 [[nodiscard]] Result<Rendering> render(const Accelerator& accelerator, const RenderOptions& options,
-                                       const Execution& execution);
+                                       const Execution& execution, const RenderSession& session = {});
+
+/// Widest filter: what a pixel takes from more than sixteen pixels away is no longer a picture.
+inline constexpr double kLargestFilterRadius = 16;
 
 }  // namespace etendue

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_report.hpp"
+
+#include <ostream>
+
+#include "etendue/core/version.hpp"
+#include "etendue/raytracing/picture_facts.hpp"
+#include "etendue/text/number_text.hpp"
+#include "etendue/text/utf8.hpp"
+#include "outputs.hpp"
+#include "report_json.hpp"
+
+namespace etendue::cli {
+
+namespace {
+
+double per_ray(std::uint64_t tests, const RenderCounts& counts) {
+  return counts.rays() == 0 ? 0 : static_cast<double>(tests) / static_cast<double>(counts.rays());
+}
+
+}  // namespace
+
+void print_text(std::ostream& out, const RenderRequest& request, const SceneFile& file, const Rendering& rendering,
+                const RenderFiles& written, double seconds) {
+  const RenderCounts& counts = rendering.counts;
+  const TreeLimits& limits = request.render.limits;
+  const Brightness& bright = written.bright;
+  const ToneMapping how = mapping(request.tone, 1);
+  out << "scene       " << scene_line(file) << '\n'
+      << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, depth " << limits.depth
+      << ", cutoff " << shortest(limits.cutoff) << '\n'
+      << "samples     " << request.sampling_text() << "; filter " << request.filter_text() << '\n'
+      << "rays        " << counts.eye_rays << " from the eye, " << counts.reflected_rays << " reflected, "
+      << counts.transmitted_rays << " transmitted, " << counts.shadow_rays << " to lights\n"
+      << "tests       " << rounded(per_ray(counts.tests.surfaces, counts)) << " surfaces and "
+      << rounded(per_ray(counts.tests.volumes, counts)) << " boxes a ray, by " << request.accelerator << '\n'
+      << "left out    " << counts.cut_by_depth << " rays by depth, " << counts.cut_by_cutoff
+      << " by cutoff; together at most " << rounded(counts.largest_cut_weight) << " of the weight of a sample\n"
+      << "brightness  " << rounded(bright.largest) << " at most";
+  if (bright.overflow > 0) {
+    out << "; " << counted(bright.overflow, "pixel") << (bright.overflow == 1 ? " is" : " are")
+        << " cut off in the PNG (";
+    if (how.tone == ToneOperator::reinhard) {
+      out << "a smaller --exposure would show them)";
+    } else {
+      out << "--exposure " << rounded(how.exposure / bright.largest) << " would show them)";
+    }
+  }
+  out << "\ntime        " << rounded(seconds) << " s\n"
+      << printable(written.exr.string()) << '\n'
+      << printable(written.png.string()) << '\n';
+}
+
+void print_json(std::ostream& out, const RenderRequest& request, const SceneFile& file, const Rendering& rendering,
+                const RenderFiles& written, double seconds) {
+  const RenderCounts& counts = rendering.counts;
+  const Brightness bright = brightness(rendering.image);
+  Json report;
+  report["program"] = std::string("etendue ") + version();
+  report["scene"] = {{"file", request.scene.string()}, {"name", file.scene.name}, {"hash", file.hash}};
+  report["settings"] = {{"depth", request.render.limits.depth},
+                        {"cutoff", request.render.limits.cutoff},
+                        {"samples_per_side", request.render.sampling.samples_per_side},
+                        {"sampling", request.sampling_text()},
+                        {"filter", request.filter_text()},
+                        {"accelerator", request.accelerator},
+                        {"exposure", written.scale},
+                        {"tone", tone_text(mapping(request.tone, 1))}};
+  if (const auto& window = request.render.crop)
+    report["settings"]["crop"] = {window->left, window->top, window->right, window->bottom};
+  report["picture"] = {{"columns", rendering.image.columns}, {"rows", rendering.image.rows},
+                       {"complete", rendering.complete},     {"largest_value", bright.largest},
+                       {"exr", written.exr.string()},        {"png", written.png.string()}};
+  report["picture"]["channels"] = Json::array();
+  for (const PictureFact fact : request.render.facts) {
+    for (const std::string& channel : channel_names(fact)) report["picture"]["channels"].push_back(channel);
+  }
+  report["rays"] = {{"eye", counts.eye_rays},
+                    {"reflected", counts.reflected_rays},
+                    {"transmitted", counts.transmitted_rays},
+                    {"shadow", counts.shadow_rays}};
+  report["tests"] = {{"surfaces", counts.tests.surfaces}, {"boxes", counts.tests.volumes}};
+  report["left_out"] = {{"by_depth", counts.cut_by_depth},
+                        {"by_cutoff", counts.cut_by_cutoff},
+                        {"largest_weight", counts.largest_cut_weight}};
+  report["seconds"] = seconds;
+  out << dumped(report, 2) << '\n';
+}
+
+}  // namespace etendue::cli

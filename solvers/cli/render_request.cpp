@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render_request.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "etendue/raytracing/picture_facts.hpp"
+#include "etendue/text/number_text.hpp"
+
+namespace etendue::cli {
+
+namespace {
+
+constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
+constexpr int kMostColumns = 1 << 14;
+constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
+constexpr int kLongestSide = 65536;      // of a scene's "resolution"
+constexpr int kUsualSamples = 2, kUsualAdaptiveSamples = 4;
+
+std::vector<std::string> parts(const std::string& text, char separator) {
+  std::vector<std::string> all;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, separator);) all.push_back(word);
+  if (!text.empty() && text.back() == separator) all.emplace_back();
+  return all;
+}
+
+template <class Number>
+std::optional<Number> number(const std::string& text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || rest != end) return std::nullopt;
+  return value;
+}
+
+template <class Number>
+std::optional<std::vector<Number>> numbers(const std::string& text, char separator) {
+  std::vector<Number> all;
+  for (const std::string& part : parts(text, separator)) {
+    const auto value = number<Number>(part);
+    if (!value) return std::nullopt;
+    all.push_back(*value);
+  }
+  return all;
+}
+
+std::string unlike(const std::string& option, const std::string& found, const std::string& expected) {
+  return "option '" + option + "': found '" + found + "', expected " + expected;
+}
+
+std::optional<std::string> read_threshold(RenderRequest& request) {
+  Sampling& sampling = request.render.sampling;
+  if (!request.threshold) return std::nullopt;
+  const auto values = numbers<double>(*request.threshold, ',');
+  const bool fit = values && (values->size() == 1 || values->size() == 3) &&
+                   std::all_of(values->begin(), values->end(), [](double v) { return v >= 0 && v <= 1; });
+  if (!fit) return unlike("--threshold", *request.threshold, "a contrast in [0, 1], or three: R,G,B");
+  for (Eigen::Index i = 0; i < 3; ++i)
+    sampling.threshold[i] = (*values)[values->size() == 1 ? 0 : static_cast<std::size_t>(i)];
+  return std::nullopt;
+}
+
+std::optional<std::string> read_facts(RenderRequest& request) {
+  request.render.facts.clear();
+  if (!request.facts) return std::nullopt;
+  std::string known;
+  for (const PictureFact fact : all_picture_facts()) known += (known.empty() ? "" : ", ") + name(fact);
+  for (const std::string& word : parts(*request.facts, ',')) {
+    const auto& all = all_picture_facts();
+    const auto found = std::find_if(all.begin(), all.end(), [&](PictureFact fact) { return name(fact) == word; });
+    auto& chosen = request.render.facts;
+    if (word == "all") {
+      chosen = all;
+    } else if (found == all.end()) {
+      return unlike("--aov", *request.facts, "some of " + known + ", or all, with commas between them");
+    } else if (std::find(chosen.begin(), chosen.end(), *found) == chosen.end()) {
+      chosen.push_back(*found);
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_adaptive(const RenderRequest& request) {
+  return request.sampling == "adaptive" || request.sampling == "adaptive-jittered";
+}
+
+/// Gives the picture so many columns, and rows in proportion, at least one; or says why that cannot be.
+std::optional<std::string> resize(Camera& camera, int columns) {
+  const double rows = std::max(1.0, std::round(static_cast<double>(columns) * camera.rows / camera.columns));
+  if (columns * rows > kMostPixels) {
+    return unlike("--columns", std::to_string(columns),
+                  "at most 2^28 pixels in all; in the scene's proportions these are " + std::to_string(columns) +
+                      " × " + shortest(rows));
+  }
+  camera.columns = columns;
+  camera.rows = static_cast<int>(rows);  // at most 2^28
+  return std::nullopt;
+}
+
+std::string fixed_text(const Eigen::Array3d& values) {
+  return shortest(values[0]) + ", " + shortest(values[1]) + ", " + shortest(values[2]);
+}
+
+}  // namespace
+
+AcceleratorKind RenderRequest::accelerator_kind() const {
+  if (accelerator == "spheres") return AcceleratorKind::bounding_spheres;
+  if (accelerator == "grid") return AcceleratorKind::grid;
+  if (accelerator == "octree") return AcceleratorKind::octree;
+  return accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
+}
+
+std::string RenderRequest::sampling_text() const {
+  const std::string n = std::to_string(render.sampling.samples_per_side);
+  std::string text = sampling + (is_adaptive(*this) ? " to " : " ") + n + " × " + n;
+  if (is_adaptive(*this)) text += ", contrast " + fixed_text(render.sampling.threshold);
+  if (sampling != "uniform") text += ", seed " + std::to_string(seed);
+  return text;
+}
+
+std::string RenderRequest::filter_text() const {
+  return filter + ", " + shortest(2 * render.filter.radius) + (render.filter.radius == 0.5 ? " pixel" : " pixels") +
+         " wide";
+}
+
+std::string RenderRequest::settings(const Camera& camera) const {
+  std::string text = std::to_string(camera.columns) + " × " + std::to_string(camera.rows) + ", depth " +
+                     std::to_string(render.limits.depth) + ", cutoff " + shortest(render.limits.cutoff) + ", " +
+                     sampling_text() + ", seed " + std::to_string(seed) + ", filter " + filter_text();
+  if (const auto& window = render.crop) {
+    text += ", crop " + std::to_string(window->left) + "," + std::to_string(window->top) + "," +
+            std::to_string(window->right) + "," + std::to_string(window->bottom);
+  }
+  for (const PictureFact fact : render.facts) text += ", " + name(fact);
+  return text;
+}
+
+std::optional<std::string> settle(RenderRequest& request) {
+  Sampling& sampling = request.render.sampling;
+  if (request.sampling == "jittered") sampling.scheme = SamplingScheme::jittered;
+  if (request.sampling == "adaptive") sampling.scheme = SamplingScheme::adaptive;
+  if (request.sampling == "adaptive-jittered") sampling.scheme = SamplingScheme::adaptive_jittered;
+  sampling.seed = static_cast<std::uint64_t>(request.seed);
+  if (sampling.samples_per_side == 0)
+    sampling.samples_per_side = is_adaptive(request) ? kUsualAdaptiveSamples : kUsualSamples;
+  if (const auto wrong = read_threshold(request)) return wrong;
+  if (request.threshold && !is_adaptive(request))
+    return "option '--threshold' is for --sampling adaptive and adaptive-jittered";
+  if (const auto wrong = fault(sampling)) return "option '--samples': " + *wrong;
+  FilterKind kind = FilterKind::box;
+  if (request.filter == "tent") kind = FilterKind::tent;
+  if (request.filter == "gaussian") kind = FilterKind::gaussian;
+  if (request.filter == "mitchell") kind = FilterKind::mitchell;
+  request.render.filter = usual_filter(kind);
+  if (request.filter_width > 0) request.render.filter.radius = request.filter_width / 2;
+  if (const auto wrong = read_facts(request)) return wrong;
+  if (request.size && request.columns > 0) return "options '--columns' and '--size' both say how wide the picture is";
+  const bool tree = request.pixel.has_value();
+  if (tree && !request.common.output.empty() && request.common.output.extension() != ".dot") {
+    return unlike("--output", request.common.output.string(),
+                  "a name that ends in .dot, since --ray-tree makes a graph");
+  }
+  if (tree && (request.resume || !request.preview.empty() || request.crop || request.facts))
+    return "option '--ray-tree' makes no picture: neither --resume nor --preview, --crop or --aov";
+  if (!request.preview.empty() && request.preview.extension() != ".png")
+    return unlike("--preview", request.preview.string(), "a name that ends in .png");
+  return contradiction(request.tone);
+}
+
+std::optional<std::string> settle_size(RenderRequest& request, Camera& camera) {
+  if (request.columns > 0) {
+    if (auto wrong = resize(camera, request.columns)) return wrong;
+  }
+  if (request.size) {
+    const auto sides = numbers<int>(*request.size, 'x');
+    const bool fit = sides && sides->size() == 2 && std::min((*sides)[0], (*sides)[1]) >= 1 &&
+                     std::max((*sides)[0], (*sides)[1]) <= kLongestSide &&
+                     static_cast<double>((*sides)[0]) * (*sides)[1] <= kMostPixels;
+    if (!fit) {
+      return unlike("--size", *request.size,
+                    "COLUMNSxROWS, each from 1 to " + std::to_string(kLongestSide) + ", at most 2^28 pixels in all");
+    }
+    camera.columns = (*sides)[0];
+    camera.rows = (*sides)[1];
+  }
+  if (request.crop) {
+    const auto edges = numbers<int>(*request.crop, ',');
+    const bool fit = edges && edges->size() == 4 && (*edges)[0] >= 0 && (*edges)[1] >= 0 && (*edges)[0] < (*edges)[2] &&
+                     (*edges)[1] < (*edges)[3] && (*edges)[2] <= camera.columns && (*edges)[3] <= camera.rows;
+    if (!fit) {
+      return unlike("--crop", *request.crop,
+                    "LEFT,TOP,RIGHT,BOTTOM with 0 <= LEFT < RIGHT <= " + std::to_string(camera.columns) +
+                        " and 0 <= TOP < BOTTOM <= " + std::to_string(camera.rows));
+    }
+    request.render.crop = PixelWindow{(*edges)[0], (*edges)[1], (*edges)[2], (*edges)[3]};
+  }
+  return std::nullopt;
+}
+
+void declare(Options& options, RenderRequest& request) {
+  options.argument("SCENE", "scene file (JSON)", request.scene);
+  options.text("--size", "COLUMNSxROWS", "size of the picture (default: the scene's); keeps the horizontal angle",
+               request.size);
+  options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
+                  request.columns, 1, kMostColumns);
+  options.text(
+      "--crop", "LEFT,TOP,RIGHT,BOTTOM",
+      "only these columns and rows, counted from 0 at the upper left, without the last ones: the same bits as in "
+      "the whole picture",
+      request.crop);
+  options.integer("--depth", "D", "greatest level of a ray; rays from the eye are of level 0 (default: 12)",
+                  request.render.limits.depth, 0, kMostBounces);
+  options.real("--cutoff", "C", "do not follow rays whose weight in the pixel is below C (default: 0, follow all)",
+               request.render.limits.cutoff, 0, 1);
+  options.choice(
+      "--sampling", {"uniform", "jittered", "adaptive", "adaptive-jittered"},
+      "where in a pixel: the centres of N × N parts; random points in them; the corners, quartered to N × N parts "
+      "where they differ; one random point, N × N where neighbours differ (default: uniform)",
+      request.sampling);
+  options.integer("--samples", "N", "N × N rays a pixel, at most where adaptive (default: 2; adaptive: 4)",
+                  request.render.sampling.samples_per_side, 1, kMostSamplesPerSide);
+  options.text("--threshold", "C|R,G,B", "contrast above which adaptive sampling goes on (default: 0.25,0.2,0.4)",
+               request.threshold);
+  options.integer("--seed", "S", "of the random points (default: 0)", request.seed, 0, 2147483647);
+  options.choice("--filter", {"box", "tent", "gaussian", "mitchell"},
+                 "how samples become pixels (default: box, their mean)", request.filter);
+  options.real("--filter-width", "W", "in pixels (default: box 1, tent 2, gaussian 3, mitchell 4)",
+               request.filter_width, 0.01, 2 * kLargestFilterRadius);
+  options.text("--aov", "LIST",
+               "further channels of the EXR: depth, normal, albedo, object, samples, tree_depth, with commas, or all",
+               request.facts);
+  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute"},
+                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one; same picture "
+                 "(default: bvh)",
+                 request.accelerator);
+  add_tone(options, request.tone, "1");
+  options.text("--ray-tree", "COLUMN,ROW",
+               "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
+               request.pixel);
+  options.path(
+      "--preview", "FILE.png",
+      "while it is rendered, show the picture there: squares of 16, 8, 4 and 2 pixels, then the rows that are done",
+      request.preview);
+  options.flag("--progress", "a line for each tenth that is done, also where no terminal is", request.progress);
+  options.flag("--resume", "go on from NAME.resume, to the same bits as without a pause", request.resume);
+  add_common(options, request.common,
+             "NAME.exr or NAME.png: both are written (default: the scene's name, in this folder)");
+  options.note(
+      "The EXR holds linear values and, like the PNG, says in its metadata how it was made. After Ctrl-C the rows "
+      "that\n"
+      "are done are saved as NAME.incomplete.exr and .png and, for --resume, as NAME.resume; the exit code is 6.");
+  options.example("etendue render scenes/mirrors/scene.json --output mirrors.png");
+  options.example("etendue render scenes/mirrors/scene.json --depth 1 --samples 1 --json --output mirrors-1.png");
+  options.example(
+      "etendue render scenes/mirrors/scene.json --sampling adaptive-jittered --filter gaussian --output figure-49.png");
+  options.example(
+      "etendue render scenes/mirrors/scene.json --crop 95,115,145,165 --sampling jittered --samples 3 --aov all "
+      "--output "
+      "corner.exr");
+  options.example("etendue render scenes/mirrors/scene.json --ray-tree 250,200");
+}
+
+}  // namespace etendue::cli

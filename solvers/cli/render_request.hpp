@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "etendue/acceleration/accelerator.hpp"
+#include "etendue/core/result.hpp"
+#include "etendue/raytracing/render.hpp"
+#include "options.hpp"
+#include "tone_options.hpp"
+
+namespace etendue::cli {
+
+/// What `etendue render` is asked for: options as typed, and what they mean (after settle()).
+struct RenderRequest {
+  CommonOptions common;
+  std::filesystem::path scene;
+  std::filesystem::path preview;  ///< empty: none
+  RenderOptions render;
+  std::string accelerator = "bvh";
+  std::string sampling = "uniform";
+  std::string filter = "box";
+  double filter_width = 0;  ///< 0: the filter's own
+  int seed = 0;
+  ToneOptions tone;
+  std::optional<std::string> pixel;  ///< of --ray-tree
+  std::optional<std::string> size, threshold, crop, facts;
+  int columns = 0;  ///< 0: as the scene says
+  bool progress = false;
+  bool resume = false;
+
+  AcceleratorKind accelerator_kind() const;
+  /// All that the picture depends on, besides the scene file: "500 × 500, depth 12, …".
+  std::string settings(const Camera& camera) const;
+  /// "uniform 2 × 2", "adaptive to 4 × 4, contrast 0.25, 0.2, 0.4": of pictures and reports.
+  std::string sampling_text() const;
+  std::string filter_text() const;
+};
+
+void declare(Options& options, RenderRequest& request);
+
+/// Options that contradict each other or cannot be read, whatever the scene; else fills request.render with them.
+[[nodiscard]] std::optional<std::string> settle(RenderRequest& request);
+
+/// The same of --columns, --size and --crop, which need the scene's camera; it gets its new size.
+[[nodiscard]] std::optional<std::string> settle_size(RenderRequest& request, Camera& camera);
+
+}  // namespace etendue::cli
