@@ -30,7 +30,7 @@ Sampled sampled(const Sampling& sampling, int columns, int rows, Light light, co
   Sampled result{Image(columns, rows), {}, {}};
   const Look look = [&](double x, double y, const SampleKey&) {
     ++result.looks[{x, y}];
-    return Seen{light(x, y), 0};
+    return Glimpse{light(x, y), 0};
   };
   std::vector<SampledRow> all;
   for (int row = 0; row < rows; ++row)

@@ -25,7 +25,7 @@ CornerCells::CornerCells(const Sampling& sampling, int row, ColumnSpan columns, 
   }
 }
 
-const Seen& CornerCells::at(int x, int y, PixelWork& work) {
+const Glimpse& CornerCells::at(int x, int y, PixelWork& work) {
   SampledRow::Point& point = points_[index(x, y)];
   if (!point.seen) {
     const int across = columns_.first * n_ + x, down = row_ * n_ + y;

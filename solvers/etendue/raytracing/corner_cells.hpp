@@ -28,7 +28,7 @@ class CornerCells {
   struct Cell {
     int x, y, size;  ///< upper left corner on the grid, length of an edge
   };
-  const Seen& at(int x, int y, PixelWork& work);
+  const Glimpse& at(int x, int y, PixelWork& work);
   void divide(const Cell& cell, int column, FilterRow& light, PixelWork& work);
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

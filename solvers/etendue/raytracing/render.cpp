@@ -147,7 +147,7 @@ class RowPipeline {
       const PicturePoint point{x / camera_.columns, (camera_.rows - y) / camera_.rows};
       const RayTree tree = trace(eye_ray(frame_, point), accelerator_, options_.limits);
       const Shaded shaded = shade(tree, accelerator_);
-      Seen seen{shaded.colour, 0};
+      Glimpse seen{shaded.colour, 0};
       RenderCounts work = count(tree, seen.tree_depth);
       work.shadow_rays = shaded.shadow_rays;
       work.tests += shaded.tests;

@@ -40,7 +40,7 @@ int first_index(const Sampling& sampling, int column, int row) {
   return std::min(static_cast<int>(number * count), count - 1);
 }
 
-void note(PixelWork& work, const Seen& seen) {
+void note(PixelWork& work, const Glimpse& seen) {
   ++work.samples;
   work.tree_depth = std::max(work.tree_depth, seen.tree_depth);
 }
@@ -141,7 +141,7 @@ void RowSampler::take_all(SampledRow& row, const Look& look) const {
   for (int column = needed_.first; column < needed_.last; ++column) {
     for (int index = 0; index < count; ++index) {
       const Place at = place(sampling_, column, row.row, index);
-      const Seen seen = look(at.x, at.y, at.key);
+      const Glimpse seen = look(at.x, at.y, at.key);
       row.light.add(column, {at.x, at.y, 1, seen.colour});
       note(row.work[static_cast<std::size_t>(column - looked_.first)], seen);
     }
@@ -167,7 +167,7 @@ void RowSampler::take_where_needed(SampledRow& row, const SampledRow* above, con
     const int taken = first_index(sampling_, column, row.row);
     for (int index = 0; index < count; ++index) {
       const Place at = place(sampling_, column, row.row, index);
-      const Seen seen = index == taken ? row.first[i] : look(at.x, at.y, at.key);
+      const Glimpse seen = index == taken ? row.first[i] : look(at.x, at.y, at.key);
       row.light.add(column, {at.x, at.y, 1, seen.colour});
       note(row.work[i], seen);
     }

@@ -50,12 +50,12 @@ class ColourRange {
 };
 
 /// What a sample sees, and how deep a tree of rays that took.
-struct Seen {
+struct Glimpse {
   Eigen::Array3d colour = Eigen::Array3d::Zero();
   int tree_depth = 0;
 };
 /// Looks at a place of the picture, x and y in pixels from its left and top edge.
-using Look = std::function<Seen(double x, double y, const SampleKey& key)>;
+using Look = std::function<Glimpse(double x, double y, const SampleKey& key)>;
 
 /// The work a pixel was.
 struct PixelWork {
@@ -72,11 +72,11 @@ struct ColumnSpan {
 struct SampledRow {
   struct Point {
     bool seen = false;
-    Seen value;
+    Glimpse value;
   };
   int row = 0;
   ColumnSpan columns;
-  std::vector<Seen> first;         ///< adaptive_jittered: the first sample of each pixel
+  std::vector<Glimpse> first;         ///< adaptive_jittered: the first sample of each pixel
   std::vector<ImageSample> at;     ///< … and what it counts as, while the pixel has no other
   std::vector<Point> top, bottom;  ///< adaptive: what was seen along the row's edges, at the corners of its N × N parts
   FilterRow light;
