@@ -244,7 +244,8 @@ TEST(SolveSensors, ComeNearTheTruthInACube) {
 
 // CLAIM      A closed room with two blocks, on two thirds of the scene's rows and columns: 80 sensors on all surfaces are
 //            within 0.6 % rms of the reference and 6 % at worst. (On all elements within 0.1 % and 1 %: ci/accuracy.)
-// ORACLE     table: reference/cornell_sensors.csv, by a finer mesh of another grading (reference/sensor_references).
+// ORACLE     table: reference/cornell_sensors.csv, by a finer mesh of another grading (reference/sensor_references); random walks
+//            confirm it (SensorReferences).
 // TOLERANCE  guards against a loss of accuracy, no more: between the bars of the whole mesh (0.1 % and 1 %) and what half of it
 //            was measured to reach (2 % and 23 %), at their slope: 1.5^4.5 times the former.
 TEST(SolveSensors, ComeNearTheTruthAmongBlocks) {
