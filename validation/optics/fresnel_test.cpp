@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/optics/fresnel.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/optics/refract.hpp"
@@ -113,13 +115,70 @@ TEST(Fresnel, NeedsTheAngleOfRefraction) {
   EXPECT_TRUE(near(fresnel_reflectance(1, 1 / 1.5), 0.04, 0.04 * fresnel_relative_error(1 / 1.5) + u));
 }
 
+// CLAIM      IU.4.2.2F: a conductor's factor, at any angle and index, in the limits too; without absorption it is a dielectric's.
+// ORACLE     closed form: amplitudes with the complex index in long double.
+// TOLERANCE  kConductorError; for the dielectric both bounds.
+TEST(Fresnel, KnowsConductors) {
+  proves({"IU.4.2.2F"}, Oracle::closed_form, "complex amplitudes in long double, 20,000 angles and indices");
+  using Complex = std::complex<long double>;
+  Directions random(2304);
+  for (int i = 0; i < 20000; ++i) {
+    const double cosine = i % 3 == 0   ? random.uniform(0, 1)
+                          : i % 3 == 1 ? std::exp2(-random.uniform(0, 60))
+                                       : 1 - std::exp2(-random.uniform(1, 53));
+    const double eta = std::exp2(random.uniform(-8, 8)), k = i % 5 == 0 ? 0 : std::exp2(random.uniform(-10, 6));
+    const long double c = cosine, sines = (1 - c) * (1 + c);
+    const Complex index(eta, k);
+    Complex behind = std::sqrt(index * index - sines);
+    if (behind.imag() < 0) behind = -behind;
+    const Complex s = (c - behind) / (c + behind), p = (index * index * c - behind) / (index * index * c + behind);
+    const double right = static_cast<double>((std::norm(s) + std::norm(p)) / 2);
+    EXPECT_TRUE(near(fresnel_conductor(cosine, eta, k), right, kConductorError)) << cosine << ' ' << eta << ' ' << k;
+    if (k == 0 && eta > 1) {  // 1/eta is rounded, which moves F by a few u where there is no critical angle
+      EXPECT_TRUE(near(fresnel_conductor(cosine, eta, 0), fresnel_reflectance(cosine, 1 / eta),
+                       kConductorError + fresnel_relative_error(1 / eta) + 4 * u));
+    }
+  }
+  for (const double eta : {0.2, 1.0, 1.5}) EXPECT_TRUE(near(fresnel_conductor(0, eta, 3), 1, 0));
+}
+
+// CLAIM      IU.4.2.2F: Schlick's formula has the limits at normal and grazing incidence, and is within kSchlickError between them for
+//            indices from 1.4 to 2: no further, as water (0.060) and diamond (0.076) show.
+// ORACLE     independent method: fresnel_reflectance().
+// TOLERANCE  kSchlickError, and at least half of it is used; three digits of the two counterexamples.
+TEST(Fresnel, IsNearToSchlicksFormula) {
+  proves({"IU.4.2.2F"}, Oracle::program, "the exact factor, 2,001 angles, seven indices");
+  const auto worst = [](double eta) {
+    const double normal = fresnel_reflectance(1, 1 / eta);
+    double error = 0;
+    for (int i = 0; i <= 2000; ++i) {
+      const double cosine = i / 2000.0;
+      error = std::max(error, std::abs(schlick(cosine, normal) - fresnel_reflectance(cosine, 1 / eta)));
+    }
+    return error;
+  };
+  for (const double eta : {1.4, 1.5, 1.6, 1.8, 2.0}) {
+    EXPECT_TRUE(within(worst(eta), kSchlickError));
+    EXPECT_GT(worst(eta), 0.5 * kSchlickError);
+    EXPECT_TRUE(near(schlick(0, 0.04), 1, 0));
+    EXPECT_TRUE(near(schlick(1, 0.04), 0.04, 0));
+  }
+  EXPECT_TRUE(near(worst(1.33), 0.060, 5e-4));
+  EXPECT_TRUE(near(worst(2.42), 0.0757, 5e-4));
+}
+
 // CLAIM      IU.4.2.2F: the contract is enforced.
 // ORACLE     identity: the documented domain.
 // TOLERANCE  none.
 TEST(Fresnel, RefusesWhatIsNotInItsDomain) {
   proves({"IU.4.2.2F"}, Oracle::identity, "the documented domain");
   const auto at = [](double cosine, double eta) { return accepted([=] { return fresnel_reflectance(cosine, eta); }); };
-  EXPECT_TRUE(all_agree(at(-0.1, 1.5) + at(1.1, 1.5) + at(std::nan(""), 1.5) + at(0.5, 0), 4));
+  const auto metal = [](double c, double eta, double k) {
+    return accepted([=] { return fresnel_conductor(c, eta, k); });
+  };
+  EXPECT_TRUE(all_agree(at(-0.1, 1.5) + at(1.1, 1.5) + at(std::nan(""), 1.5) + at(0.5, 0) + metal(1.1, 1, 3) +
+                            metal(1, 0, 3) + metal(1, 1, -1) + accepted([] { return schlick(0.5, 1.5); }),
+                        8));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/reflectance/phong.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "etendue/core/rounding.hpp"
@@ -114,6 +115,37 @@ TEST(Phong, IsZeroOnTheFarSideOfTheLobe) {
   const Vec3 behind(0.6, 0, -0.8), along_mirror = reflect(-behind, n);
   EXPECT_TRUE(near(phong(n, behind, along_mirror, 2), 0, 0));
   EXPECT_TRUE(near(phong(n, Vec3(1, 0, 0), Vec3(-1, 0, 0), 2), 0, 0));
+}
+
+// CLAIM      IU.2.7.1: Blinn's form is the power of N·H; in the plane of the normal and the light its angle is half of φ, so that
+//            with four times the exponent it is Phong's lobe but for terms of n φ⁴.
+// ORACLE     closed form: the power of N·H in long double; cos φ = 2 cos²(φ/2) − 1.
+// TOLERANCE  blinn_error(n); ln cosⁿ φ − 4n ln cos(φ/2) = −n φ⁴/16 (1 + O(φ²)) against terms e^(−nφ²/2): doubled.
+TEST(Blinn, IsPhongsLobeWithFourTimesTheExponent) {
+  proves({"IU.2.7.1"}, Oracle::closed_form, "(N·H)ⁿ in long double; Phong's lobe in the plane of incidence");
+  Directions random(2404);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 n = random.unit(), l = (random.unit() + n).normalized(), v = (random.unit() + n).normalized();
+    if (n.dot(l) <= 0 || n.dot(v) <= 0) continue;
+    const double exponent = random.uniform(1, 200);
+    using Long = Eigen::Matrix<long double, 3, 1>;
+    const Long m = n.cast<long double>().normalized();
+    const Long h = (l.cast<long double>().normalized() + v.cast<long double>().normalized()).normalized();
+    const double right = static_cast<double>(std::pow(std::min(1.0L, m.dot(h)), static_cast<long double>(exponent)));
+    EXPECT_TRUE(near(blinn(n, l, v, exponent), right, blinn_error(exponent)));
+  }
+  const Vec3 n(0, 0, 1), l(-0.5, 0, std::sqrt(0.75));  // mirrored at 30°
+  for (const double exponent : {50.0, 100.0, 200.0}) {
+    for (double phi = -2 / std::sqrt(exponent); phi < 2 / std::sqrt(exponent); phi += 0.01) {
+      const Vec3 v(std::sin(30 * kDegree + phi), 0, std::cos(30 * kDegree + phi));
+      const double tolerance = exponent * std::pow(phi, 4) / 8 + blinn_error(4 * exponent) + phong_error(exponent);
+      EXPECT_TRUE(near(blinn(n, l, v, 4 * exponent), phong(n, l, v, exponent), tolerance)) << phi;
+    }
+  }
+  EXPECT_TRUE(near(blinn(n, Vec3(0.6, 0, -0.8), n, 5), 0, 0));
+  EXPECT_TRUE(near(blinn(n, n, Vec3(0.6, 0, -0.8), 5), 0, 0));
+  EXPECT_TRUE(
+      all_agree(accepted([&] { return blinn(2 * n, n, n, 5); }) + accepted([&] { return blinn(n, n, n, 0.5); }), 2));
 }
 
 // CLAIM      IU.2.7.1: the contract of phong() is enforced.

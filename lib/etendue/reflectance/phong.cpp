@@ -18,4 +18,12 @@ double phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, do
   return std::pow(cosine, exponent);
 }
 
+double blinn(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent) {
+  require(is_unit(normal) && is_unit(to_light) && is_unit(to_viewer), "blinn: all vectors are unit vectors");
+  require(std::isfinite(exponent) && exponent >= 1, "blinn: exponent is finite and at least one");
+  if (normal.dot(to_light) <= 0 || normal.dot(to_viewer) <= 0) return 0;
+  const Vec3 halfway = (to_light + to_viewer).normalized();  // not zero: both are on the normal's side
+  return std::pow(std::clamp(normal.dot(halfway), 0.0, 1.0), exponent);
+}
+
 }  // namespace etendue

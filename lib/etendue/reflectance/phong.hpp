@@ -26,4 +26,22 @@ constexpr double phong_error(double exponent) {
 /// Errors    ContractViolation outside the domain
 [[nodiscard]] double phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent);
 
+constexpr double blinn_error(double exponent) {
+  return (8 * exponent + 2) * kUnitRoundoff;
+}
+
+/// Blinn's form of the lobe: the power of the cosine between the normal and the direction halfway.
+///
+///     max(0, N·H)ⁿ,   H = (L + V)/|L + V|                                                              @eq IU.2.7.1
+///
+/// Symbols   as for phong(). In the plane of N and L the angle between N and H is half of φ, so that blinn() with 4n
+///           is near to phong() with n where the lobe is narrow; out of that plane it is narrower, the more so the more
+///           the light grazes
+/// Domain    unit vectors (kUnitTolerance); exponent ≥ 1, finite
+/// Returns   value in [0, 1], greatest at V = R; 0 for a light or a viewer behind the surface
+/// Accuracy  blinn_error(exponent) of the given vectors; measured
+/// Errors    ContractViolation outside the domain
+/// Source    Blinn 1977
+[[nodiscard]] double blinn(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent);
+
 }  // namespace etendue
