@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/acceleration/accelerator.hpp"
 
+#include <array>
 #include <bit>
 #include <random>
+#include <variant>
 
 #include "etendue/acceleration/bounding_volumes.hpp"
 #include "etendue/acceleration/box_tree.hpp"
@@ -38,10 +40,41 @@ constexpr AcceleratorKind kAllKinds[] = {AcceleratorKind::brute_force, Accelerat
                                          AcceleratorKind::bounding_spheres, AcceleratorKind::grid,
                                          AcceleratorKind::octree};
 
+Mat3 random_axes(Random& random) {
+  const Vec3 x = random.direction(), y = x.unitOrthogonal();
+  Mat3 axes;
+  axes << x, y, x.cross(y);
+  return axes;
+}
+
+/// Ellipsoids, paraboloids, hyperboloids and saddles, cut off by a box.
+Quadric random_quadric(Random& random, const Vec3& centre, double size) {
+  Quadric quadric;
+  const Vec3 squares = random.point(1);
+  quadric.square = squares.asDiagonal();
+  quadric.linear = random.point(0.5);
+  quadric.constant = random.in(-0.1, 0.1);
+  quadric.box = {centre, random_axes(random), size * (Vec3::Constant(1.6) + random.point(0.6))};
+  return quadric;
+}
+
+BezierSurface random_surface(Random& random, const Vec3& centre, double size) {
+  const Mat3 axes = random_axes(random);
+  BezierSurface surface;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      const Vec3 bump = random.point(0.4);
+      surface.control[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+          centre + size * (axes * (Vec3(i, j, 0) / 1.5 + bump));
+    }
+  }
+  return surface;
+}
+
 Shape random_shape(Random& random, std::size_t kind, double extent) {
   const Vec3 centre = random.point(extent);
   const double size = random.in(0.1, 0.8);
-  switch (kind % 10) {
+  switch (kind % 15) {
     case 0:
       return Sphere{centre, size};
     case 1:
@@ -52,17 +85,29 @@ Shape random_shape(Random& random, std::size_t kind, double extent) {
       return Disc{centre, random.direction(), size};
     case 4:
       return Cylinder{centre, centre + random.point(2), 0.3 * size};
-    case 5: {
-      const Vec3 x = random.direction();
-      const Vec3 y = x.unitOrthogonal();
-      Mat3 axes;
-      axes << x, y, x.cross(y);
-      return Box{centre, axes, Vec3::Constant(size)};
-    }
+    case 5:
+      return Box{centre, random_axes(random), Vec3::Constant(size)};
     case 6:
       return Polygon::make({centre, centre + size * Vec3::UnitX(), centre + size * Vec3::UnitZ()}).value();
     case 7:
       return Triangle{centre, centre + random.point(0.01), centre + random.point(4)};
+    case 8: {
+      const double top = random.in(0, 0.5);
+      return Cone{centre, centre + random.point(2), size, top > 0.2 ? top : 0};
+    }
+    case 9:
+      return Torus{centre, random.direction(), size, random.in(0.2, 0.9) * size};
+    case 10:
+    case 11:
+      return random_quadric(random, centre, size);
+    case 12:
+      return random_surface(random, centre, size);
+    case 13: {
+      const Vec3 u = size * random.direction(), v = size * u.unitOrthogonal();
+      const auto at = [&](double x, double y) -> Vec3 { return centre + x * u + y * v; };
+      auto outline = Polygon::make({at(-1, -1), at(1, -1), at(1, 1), at(0, 0.5), at(-1, 1)});
+      return PolygonWithHoles::make(*outline, {{at(-0.5, -0.5), at(0.5, -0.5), at(0, 0.3)}}).value();
+    }
     default:
       break;
   }
@@ -77,7 +122,7 @@ Shape random_shape(Random& random, std::size_t kind, double extent) {
 
 Scene random_scene(Random& random, std::size_t count) {
   Scene scene;
-  for (std::size_t i = 0; i < count; ++i) add(scene, random_shape(random, i, 6), diffuse(0.5));
+  for (std::size_t i = 0; i < count; ++i) add(scene, random_shape(random, i + count, 6), diffuse(0.5));
   add(scene, Plane{{0, 0, -7}, {0, 0, 1}}, diffuse(0.5));
   // The same shapes once more: every hit on them is a tie, which the smaller index has to win.
   for (std::size_t i = 0; i < count / 4; ++i) add(scene, scene.objects[random.index(count)].shape, diffuse(0.5));
@@ -94,6 +139,9 @@ bool same(const std::optional<SceneHit>& a, const std::optional<SceneHit>& b) {
   bool equal = a->object == b->object && a->part == b->part && same_bits(a->hit.t, b->hit.t);
   for (int k = 0; k < 3; ++k) {
     equal = equal && same_bits(a->hit.point[k], b->hit.point[k]) && same_bits(a->hit.normal[k], b->hit.normal[k]);
+  }
+  for (int k = 0; k < 2; ++k) {
+    equal = equal && same_bits(a->hit.uv[k], b->hit.uv[k]);
   }
   return equal;
 }
@@ -121,8 +169,8 @@ Ray random_ray(Random& random, const BoxTree& tree, const Accelerator& accelerat
 }
 
 // CLAIM      IU.5.7, IU.5.7.1, IU.5.7.2a, IU.5.7.2b, RT.3: hierarchies of boxes and of spheres, grid and octree find
-//            exactly what brute force finds, object, part, t, point and normal, ties and limited rays included; brute
-//            force finds the first of all surfaces; all know when nothing is met.
+//            exactly what brute force finds, object, part, t, point and normal, ties and limited rays included, on shapes
+//            of every kind; brute force finds the first of all surfaces; all know when nothing is met.
 // ORACLE     identity: a plain loop over all objects, written out here.
 // TOLERANCE  none: all bits.
 TEST(Accelerator, FindsWhatBruteForceFinds) {
@@ -130,6 +178,7 @@ TEST(Accelerator, FindsWhatBruteForceFinds) {
          "a plain loop over all surfaces, bit for bit");
   Random random(57);
   std::uint64_t wrong = 0, decisions = 0, hits = 0, ties = 0;
+  std::array<std::uint64_t, std::variant_size_v<Shape>> hits_of{};
   for (int round = 0; round < 20; ++round) {
     const Scene scene = random_scene(random, 1 + static_cast<std::size_t>(round) * 4);
     const BoxTree tree(scene);
@@ -151,6 +200,7 @@ TEST(Accelerator, FindsWhatBruteForceFinds) {
         }
       }
       if (expected) ++hits;
+      if (expected) ++hits_of[scene.objects[expected->object].shape.index()];
       for (const auto& accelerator : all) {
         decisions += 2;
         wrong += !same(accelerator->nearest(ray).hit, expected);
@@ -161,6 +211,7 @@ TEST(Accelerator, FindsWhatBruteForceFinds) {
   EXPECT_TRUE(all_agree(wrong, decisions));
   EXPECT_GT(hits, 5000u);  // the family did hit, and did tie
   EXPECT_GT(ties, 200u);
+  for (const std::uint64_t of_kind : hits_of) EXPECT_GT(of_kind, 20u);  // every kind of shape was the nearest
 }
 
 // CLAIM      IU.5.7.1: every node's box holds the boxes of its parts, every surface is in one leaf, planes are kept

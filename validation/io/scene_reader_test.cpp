@@ -65,7 +65,7 @@ TEST(SceneReader, HoldsWhatTheFileSays) {
   EXPECT_TRUE(near((sun.direction - Vec3(1, -1, 2) / std::sqrt(6)).norm(), 0, 4 * 0x1p-53));
   EXPECT_TRUE((sun.intensity == Rgb(0.5, 0.5, 0.4)).all());
 
-  ASSERT_EQ(scene.objects.size(), 9u);
+  ASSERT_EQ(scene.objects.size(), 16u);
   EXPECT_EQ(scene.objects[0].name, "/objects/0");
   EXPECT_EQ(scene.objects[2].name, "back wall");
   EXPECT_EQ(scene.objects[6].name, "table/top");
@@ -80,6 +80,17 @@ TEST(SceneReader, HoldsWhatTheFileSays) {
   EXPECT_EQ(triangles[3], (std::array<std::uint32_t, 3>{3, 0, 4}));
   EXPECT_EQ(triangles[4], (std::array<std::uint32_t, 3>{0, 3, 2}));  // the quad 0 3 2 1: a b c …
   EXPECT_EQ(triangles[5], (std::array<std::uint32_t, 3>{0, 2, 1}));  // … and a c d
+
+  // A cone, its caps as objects of their own; then the rest.
+  EXPECT_EQ(std::get<Cone>(scene.objects[9].shape).top_radius, 6);
+  EXPECT_EQ(scene.objects[10].name, "bollard/base");
+  EXPECT_EQ(scene.objects[11].name, "bollard/top");
+  const auto &base = std::get<Disc>(scene.objects[10].shape), &top = std::get<Disc>(scene.objects[11].shape);
+  EXPECT_TRUE(base.centre == Vec3(30, -60, 0) && base.normal == Vec3(0, 0, -1) && base.radius == 12);
+  EXPECT_TRUE(top.centre == Vec3(30, -60, 40) && top.normal == Vec3(0, 0, 1) && top.radius == 6);
+  EXPECT_EQ(std::get<Torus>(scene.objects[12].shape).tube, 5);
+  EXPECT_EQ(std::get<BezierSurface>(scene.objects[14].shape).control[3][1], Vec3(120, 30, 0));
+  EXPECT_EQ(std::get<PolygonWithHoles>(scene.objects[15].shape).holes()[1][2], Vec3(-100, 58, 50));
 }
 
 // CLAIM      Transforms act in the order in which they stand, inner before outer; quarter turns are exact.

@@ -186,6 +186,15 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
       {Disc{{0, 0, 0}, {0, 0, 1}, 1}, {}, "is a disc"},
       {Cylinder{{0, 0, 0}, {0, 0, 1}, 1}, {}, "is a cylinder"},
       {Plane{{0, 0, 0}, {0, 0, 1}}, {}, "use a polygon"},
+      {Cone{{0, 0, 0}, {0, 0, 1}, 1, 0}, {}, "is a cone: neither radiosity nor form factors know such surfaces;"},
+      {Torus{{0, 0, 0}, {0, 0, 1}, 2, 1}, {}, "is a torus: neither"},
+      {Quadric{Mat3::Identity(), Vec3::Zero(), -1, Box{Vec3::Zero(), Mat3::Identity(), Vec3::Ones()}},
+       {},
+       "is a quadric: neither"},
+      {BezierSurface{}, {}, "is a bezier surface: neither"},
+      {PolygonWithHoles::make(square, {{{0.2, 0.2, 0}, {0.4, 0.2, 0}, {0.2, 0.4, 0}}}).value(),
+       {},
+       "has holes: neither radiosity nor form factors know such polygons; divide it into convex ones"},
       {dart, {}, "is concave"},
       {triangle, {{2, 1}, {1, 1}}, "has 3 corners: only quadrilaterals have rows and columns of elements and patches;"},
       {triangle,
@@ -206,6 +215,11 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
     EXPECT_TRUE(holds(refused.error().code == ErrorCode::invalid_input));
     EXPECT_TRUE(holds(message.find("object 'object 0'") != std::string::npos)) << message;
     EXPECT_TRUE(holds(message.find(one.words) != std::string::npos)) << message;
+    // Form factors take spheres, discs and cylinders whole; nothing else is left out in silence.
+    const bool whole = std::holds_alternative<Sphere>(one.shape) || std::holds_alternative<Disc>(one.shape) ||
+                       std::holds_alternative<Cylinder>(one.shape);
+    const auto rest = mesh_elements(scene, CurvedObjects::left_out);
+    EXPECT_TRUE(holds(rest.ok() == whole && (whole || rest.error().message == message))) << one.words;
   }
   EXPECT_TRUE(mesh_elements(scene_of({triangle})).ok());
   EXPECT_FALSE(mesh_elements(Scene{}).ok());

@@ -72,6 +72,10 @@ Aabb bounds(const Polygon& polygon) {
   return widened_box({box.low - margin, box.high + margin});
 }
 
+Aabb bounds(const PolygonWithHoles& polygon) {
+  return bounds(polygon.outline());
+}
+
 Aabb bounds(const Mesh& mesh) {
   Aabb box;
   for (const auto& triangle : mesh.triangles) {

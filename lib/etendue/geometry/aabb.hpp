@@ -8,6 +8,7 @@
 #include "etendue/geometry/disc.hpp"
 #include "etendue/geometry/mesh.hpp"
 #include "etendue/geometry/polygon.hpp"
+#include "etendue/geometry/polygon_with_holes.hpp"
 #include "etendue/geometry/quadric.hpp"
 #include "etendue/geometry/ray.hpp"
 #include "etendue/geometry/sphere.hpp"
@@ -43,6 +44,7 @@ struct Aabb {
 [[nodiscard]] Aabb bounds(const Box& box);
 [[nodiscard]] Aabb bounds(const Triangle& triangle);
 [[nodiscard]] Aabb bounds(const Polygon& polygon);
+[[nodiscard]] Aabb bounds(const PolygonWithHoles& polygon);  ///< its outline
 [[nodiscard]] Aabb bounds(const Mesh& mesh);
 [[nodiscard]] Aabb bounds(const Cone& cone);
 [[nodiscard]] Aabb bounds(const Torus& torus);

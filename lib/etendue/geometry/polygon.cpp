@@ -9,26 +9,25 @@
 #include "etendue/geometry/extent.hpp"
 #include "etendue/geometry/jordan.hpp"
 #include "etendue/geometry/kept_near.hpp"
-#include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/newell.hpp"
+#include "etendue/geometry/polygon_meeting.hpp"
 #include "etendue/geometry/predicates.hpp"
-#include "etendue/geometry/shear.hpp"
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/geometry/vector_text.hpp"
 
 namespace etendue {
 
-namespace {
-
-Error refusal(const std::string& what) {
-  return {ErrorCode::invalid_input, "polygon: " + what};
-}
-
-std::string rounded(double value) {
+std::string short_text(double value) {
   std::ostringstream out;
   out.precision(6);
   out << value;
   return out.str();
+}
+
+namespace {
+
+Error refusal(const std::string& what) {
+  return {ErrorCode::invalid_input, "polygon: " + what};
 }
 
 std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
@@ -40,7 +39,7 @@ std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
     }
     if (vertices[i].lpNorm<Eigen::Infinity>() > kGreatestCoordinate) {
       return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) +
-                     " lies beyond 2^200 = " + rounded(kGreatestCoordinate) + "; the area could overflow");
+                     " lies beyond 2^200 = " + short_text(kGreatestCoordinate) + "; the area could overflow");
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -52,7 +51,7 @@ std::optional<Error> bad_vertex(const std::vector<Vec3>& vertices) {
     const double edge = (vertices[j] - vertices[i]).lpNorm<Eigen::Infinity>();
     if (edge < kLeastEdge) {
       return refusal("edge " + std::to_string(i) + "-" + std::to_string(j) + " at " + text(vertices[i]) + " is " +
-                     rounded(edge) + " long, less than 2^-200 = " + rounded(kLeastEdge) +
+                     short_text(edge) + " long, less than 2^-200 = " + short_text(kLeastEdge) +
                      "; the area would lose digits");
     }
   }
@@ -130,8 +129,8 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
     if (auto crossing = crossing_without_area(vertices, allowed)) return *crossing;
-    return refusal("area " + rounded(polygon.area_) +
-                   " is zero: it is narrower than the rounding of its coordinates (" + rounded(extent.coordinate) +
+    return refusal("area " + short_text(polygon.area_) +
+                   " is zero: it is narrower than the rounding of its coordinates (" + short_text(extent.coordinate) +
                    ")");
   }
   polygon.normal_ = twice_area.normalized();
@@ -139,8 +138,8 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const double distance = std::abs(polygon.normal_.dot(vertices[i] - polygon.centroid_));
     if (!(distance <= allowed)) {
-      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is " + rounded(distance) +
-                     " off the plane; " + rounded(allowed) + " is allowed (use triangles)");
+      return refusal("vertex " + std::to_string(i) + " = " + text(vertices[i]) + " is " + short_text(distance) +
+                     " off the plane; " + short_text(allowed) + " is allowed (use triangles)");
     }
   }
   if (auto error = bad_chain(vertices, dominant_axis(polygon.normal_))) return *error;
@@ -148,16 +147,11 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   return polygon;
 }
 
-namespace {
-
-// The Jordan curve test of encloses(), across the ray in place of a coordinate axis: neighbours see the corners they
-// share at the same doubles, so every line through their common edge passes through exactly one of them.
-bool passes_through(const Ray& ray, const std::vector<Vec3>& vertices) {
-  const Shear shear = shear_of(ray.direction);
+bool passes_through(const Shear& shear, const Vec3& origin, const std::vector<Vec3>& chain) {
   bool inside = false;
-  Sheared previous = sheared(shear, vertices.back(), ray.origin);
-  for (const Vec3& vertex : vertices) {
-    const Sheared current = sheared(shear, vertex, ray.origin);
+  Sheared previous = sheared(shear, chain.back(), origin);
+  for (const Vec3& vertex : chain) {
+    const Sheared current = sheared(shear, vertex, origin);
     const bool current_above = current.y >= 0;
     if ((previous.y >= 0) != current_above) {
       const double turn = edge_function(previous, current);
@@ -167,6 +161,8 @@ bool passes_through(const Ray& ray, const std::vector<Vec3>& vertices) {
   }
   return inside;
 }
+
+namespace {
 
 double farthest_vertex(const Polygon& polygon, const Vec3& point) {
   double farthest = 0;
@@ -195,9 +191,7 @@ double room_around(const Polygon& polygon, const Vec3& origin) {
 
 }  // namespace
 
-std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
-  require_direction(ray);
-  if (!passes_through(ray, polygon.vertices())) return std::nullopt;
+std::optional<Hit> hit_of_plane(const Ray& ray, const Polygon& polygon) {
   const auto met = line_meets_plane(ray, polygon.normal(), polygon.centroid());
   if (!met) return std::nullopt;
   const auto [low, high] = span_of(polygon);
@@ -210,6 +204,12 @@ std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
   const Vec3 offset = hit.point - polygon.vertices()[0];
   hit.uv = {along.dot(offset), polygon.normal().cross(along).dot(offset)};
   return hit;
+}
+
+std::optional<Hit> intersect(const Ray& ray, const Polygon& polygon) {
+  require_direction(ray);
+  if (!passes_through(shear_of(ray.direction), ray.origin, polygon.vertices())) return std::nullopt;
+  return hit_of_plane(ray, polygon);
 }
 
 }  // namespace etendue

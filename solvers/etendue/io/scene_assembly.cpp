@@ -5,6 +5,7 @@
 #include <map>
 
 #include "etendue/io/camera_file.hpp"
+#include "etendue/io/curved_shape_reader.hpp"
 #include "etendue/io/material_reader.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/shape_reader.hpp"
@@ -117,8 +118,15 @@ class Assembly {
     }
     const auto material = read_material_name(node);
     const Subdivision subdivision = read_subdivision(node);
+    const auto caps_node = node.member("caps");
+    const bool closed = caps_node && caps_node->truth().value_or(false);
     auto shape = read_shape(node, *type, placement);
-    if (shape && material) scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
+    if (!shape || !material) return;
+    const auto caps = closed ? caps_of(*shape) : std::vector<Cap>{};
+    scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
+    for (const Cap& cap : caps) {
+      scene_.objects.push_back({name + "/" + cap.end, cap.disc, *material, subdivision, node.where()});
+    }
   }
 
   /// An object of unknown kind, read for its errors: what objects of all kinds have, numbers of shapes, children.

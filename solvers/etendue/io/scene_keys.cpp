@@ -39,11 +39,15 @@ const std::vector<KeySet>& scene_key_sets() {
       {"point_light", {"type", "position", "intensity"}, {"comment"}},
       {"directional_light", {"type", "direction", "intensity"}, {"comment"}},
       shape("sphere", {"centre", "radius"}),
-      shape("polygon", {"vertices"}),
+      shape("polygon", {"vertices"}, {"holes"}),
       shape("triangle", {"vertices"}),
       shape("plane", {"point", "normal"}),
       shape("disc", {"centre", "normal", "radius"}),
-      shape("cylinder", {"base", "top", "radius"}),
+      shape("cylinder", {"base", "top", "radius"}, {"caps"}),
+      shape("cone", {"base", "top", "base_radius"}, {"top_radius", "caps"}),
+      shape("torus", {"centre", "axis", "ring_radius", "tube_radius"}),
+      shape("quadric", {"squares", "constant"}, {"products", "linear", "low", "high", "centre", "size"}),
+      shape("bezier", {"control"}),
       shape("box", {}, {"low", "high", "centre", "size"}),
       shape("mesh", {"vertices"}, {"triangles", "quads"}),
       {"group", {"type", "children"}, {"comment", "name", "transform"}},
@@ -74,7 +78,8 @@ KeySet keys_of_any(const Keys& names) {
 }
 
 const Keys& object_types() {
-  static const Keys types{"sphere", "polygon", "triangle", "plane", "disc", "cylinder", "box", "mesh", "group"};
+  static const Keys types{"sphere", "polygon", "triangle", "plane", "disc", "cylinder", "cone",
+                          "torus",  "quadric", "bezier",   "box",   "mesh", "group"};
   return types;
 }
 

@@ -35,10 +35,11 @@ struct Counter {
     }
     return count;
   }
-  double operator()(const Sphere&) const { return 0; }
-  double operator()(const Cylinder&) const { return 0; }
-  double operator()(const Disc&) const { return 0; }
-  double operator()(const Plane&) const { return 0; }
+  /// All others are not divided.
+  template <class Other>
+  double operator()(const Other&) const {
+    return 0;
+  }
 };
 
 }  // namespace

@@ -163,6 +163,18 @@ struct Builder {
   void operator()(const Sphere&) { curved("sphere"); }
   void operator()(const Cylinder&) { curved("cylinder"); }
   void operator()(const Disc&) { curved("disc"); }
+  void only_traced(const char* kind) {
+    refuse(std::string("is ") + kind +
+           ": neither radiosity nor form factors know such surfaces; approximate it by a mesh, or leave it to etendue "
+           "render");
+  }
+  void operator()(const Cone&) { only_traced("a cone"); }
+  void operator()(const Torus&) { only_traced("a torus"); }
+  void operator()(const Quadric&) { only_traced("a quadric"); }
+  void operator()(const BezierSurface&) { only_traced("a bezier surface"); }
+  void operator()(const PolygonWithHoles&) {
+    refuse("has holes: neither radiosity nor form factors know such polygons; divide it into convex ones");
+  }
   void operator()(const Plane&) { refuse("is an infinite plane: radiosity elements are bounded; use a polygon"); }
 };
 

@@ -6,13 +6,18 @@
 #include <variant>
 #include <vector>
 
+#include "etendue/geometry/bezier.hpp"
 #include "etendue/geometry/box.hpp"
+#include "etendue/geometry/cone.hpp"
 #include "etendue/geometry/cylinder.hpp"
 #include "etendue/geometry/disc.hpp"
 #include "etendue/geometry/mesh.hpp"
 #include "etendue/geometry/plane.hpp"
 #include "etendue/geometry/polygon.hpp"
+#include "etendue/geometry/polygon_with_holes.hpp"
+#include "etendue/geometry/quadric.hpp"
 #include "etendue/geometry/sphere.hpp"
+#include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
 
 namespace etendue {
@@ -55,7 +60,8 @@ struct DirectionalLight {
 };
 using Light = std::variant<PointLight, DirectionalLight>;
 
-using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box, Mesh>;
+using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box, Mesh, Cone, Torus, Quadric,
+                           BezierSurface, PolygonWithHoles>;
 
 /// How a shape is divided for radiosity. A quadrilateral has elements[0] × elements[1] elements along its first and its
 /// second edge, of which patches[0] × patches[1] patches are groups; patches divide elements.
