@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "etendue/core/version.hpp"
+#include "etendue/raytracing/camera_rays.hpp"
 #include "report_json.hpp"
 
 namespace etendue::cli {
@@ -41,12 +42,22 @@ std::optional<Pixel> read_pixel(const std::string& text, const Camera& camera) {
   return Pixel{column, row};
 }
 
+Result<RayTree> pixel_tree(const Accelerator& accelerator, const Pixel& pixel, const TreeLimits& limits,
+                           double wavelength) {
+  const Camera& camera = accelerator.scene().camera;
+  const auto frame = camera_frame(camera);
+  if (!frame) return frame.error();
+  const Ray ray = eye_ray(*frame, picture_point(camera, pixel.column, pixel.row));
+  return trace(ray, accelerator, limits, {media_around(frame->eye, accelerator), wavelength});
+}
+
 std::string ray_tree_json(const RayTree& tree, const SceneFile& file, const Pixel& pixel, const TreeLimits& limits) {
   Json report;
   report["program"] = std::string("etendue ") + version();
   report["scene"] = {{"file", file.files.back().string()}, {"name", file.scene.name}, {"hash", file.hash}};
   report["pixel"] = {pixel.column, pixel.row};
   report["settings"] = {{"depth", limits.depth}, {"cutoff", limits.cutoff}};
+  if (tree.wavelength > 0) report["settings"]["wavelength_nm"] = tree.wavelength;
   report["rays"] = Json::array();
   const auto names = ray_names(tree);
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
@@ -59,10 +70,13 @@ std::string ray_tree_json(const RayTree& tree, const SceneFile& file, const Pixe
              {"weight", node.weight},
              {"origin", triple(node.ray.origin)},
              {"direction", triple(node.ray.direction)},
+             {"begins_at", node.ray.t_min},
+             {"medium", node.medium ? Json(file.scene.materials[*node.medium].name) : Json(nullptr)},
              {"end", word(node.end)}};
     if (node.end == RayEnd::surface) {
       ray["object"] = {{"index", node.hit->object}, {"name", file.scene.objects[node.hit->object].name}};
       ray["point"] = triple(node.hit->hit.point);
+      ray["length"] = node.length;
     }
     report["rays"].push_back(std::move(ray));
   }

@@ -5,7 +5,6 @@
 #include <ostream>
 
 #include "etendue/io/atomic_file.hpp"
-#include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/preview.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
@@ -52,10 +51,9 @@ int explain_pixel(const RenderRequest& request, const Options& options, const Sc
         err, "option '--ray-tree': found '" + *request.pixel + "', expected COLUMN,ROW from 0,0 to " +
                  std::to_string(scene.camera.columns - 1) + "," + std::to_string(scene.camera.rows - 1));
   }
-  const auto frame = camera_frame(scene.camera);
-  if (!frame) return fail(err, kName, frame.error());
-  const Ray ray = eye_ray(*frame, picture_point(scene.camera, pixel->column, pixel->row));
-  const RayTree tree = trace(ray, accelerator, request.render.limits);
+  const auto traced = pixel_tree(accelerator, *pixel, request.render.limits);
+  if (!traced) return fail(err, kName, traced.error());
+  const RayTree& tree = *traced;
   if (!request.common.output.empty()) {
     const auto written = write_file(request.common.output, to_dot(tree, scene));
     if (!written) return fail(err, kName, written.error());

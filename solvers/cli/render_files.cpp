@@ -36,6 +36,8 @@ ImageMetadata metadata(const RenderRequest& request, const SceneFile& file, cons
                       {"etendue:samples_per_side", std::to_string(request.render.sampling.samples_per_side)},
                       {"etendue:sampling", request.sampling_text()},
                       {"etendue:filter", request.filter_text()},
+                      {"etendue:shadows", request.shadows},
+                      {"etendue:wavelengths", std::to_string(request.render.wavelengths)},
                       {"etendue:rows", rows + (rendering.complete ? "" : " (incomplete: the others are black)")}};
   if (const auto& window = request.render.crop) {
     facts.emplace_back("etendue:crop", "columns " + std::to_string(window->left) + " to " +

@@ -60,6 +60,9 @@ void print_json(std::ostream& out, const RenderRequest& request, const SceneFile
   report["scene"] = {{"file", request.scene.string()}, {"name", file.scene.name}, {"hash", file.hash}};
   report["settings"] = {{"depth", request.render.limits.depth},
                         {"cutoff", request.render.limits.cutoff},
+                        {"shadows", request.shadows},
+                        {"acne_cure", request.acne_cure},
+                        {"wavelengths", request.render.wavelengths},
                         {"samples_per_side", request.render.sampling.samples_per_side},
                         {"sampling", request.sampling_text()},
                         {"filter", request.filter_text()},

@@ -14,7 +14,8 @@ namespace etendue::cli {
 
 namespace {
 
-constexpr int kMostBounces = 1000;  // a ray tree is followed by recursion: deeper ones would need a larger stack
+constexpr int kMostBounces = 1000;     // a ray tree is followed by recursion: deeper ones would need a larger stack
+constexpr int kMostWavelengths = 401;  // a part a nanometre
 constexpr int kMostColumns = 1 << 14;
 constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
 constexpr int kLongestSide = 65536;      // of a scene's "resolution"
@@ -105,6 +106,16 @@ std::string fixed_text(const Eigen::Array3d& values) {
   return shortest(values[0]) + ", " + shortest(values[1]) + ", " + shortest(values[2]);
 }
 
+Shadows shadows_named(const std::string& kind, const std::string& cure) {
+  Shadows shadows;
+  if (kind == "opaque") shadows.kind = ShadowKind::opaque;
+  if (cure == "tolerance") shadows.cure = AcneCure::tolerance;
+  if (cure == "moved-origin") shadows.cure = AcneCure::moved_origin;
+  if (cure == "convex") shadows.cure = AcneCure::convex_left_out;
+  if (cure == "none") shadows.cure = AcneCure::none;
+  return shadows;
+}
+
 }  // namespace
 
 AcceleratorKind RenderRequest::accelerator_kind() const {
@@ -131,6 +142,9 @@ std::string RenderRequest::settings(const Camera& camera) const {
   std::string text = std::to_string(camera.columns) + " × " + std::to_string(camera.rows) + ", depth " +
                      std::to_string(render.limits.depth) + ", cutoff " + shortest(render.limits.cutoff) + ", " +
                      sampling_text() + ", seed " + std::to_string(seed) + ", filter " + filter_text();
+  if (shadows != "attenuated") text += ", shadows " + shadows;
+  if (acne_cure != "bound") text += ", acne cure " + acne_cure;
+  if (render.wavelengths > 0) text += ", wavelengths " + std::to_string(render.wavelengths);
   if (const auto& window = render.crop) {
     text += ", crop " + std::to_string(window->left) + "," + std::to_string(window->top) + "," +
             std::to_string(window->right) + "," + std::to_string(window->bottom);
@@ -151,6 +165,7 @@ std::optional<std::string> settle(RenderRequest& request) {
   if (request.threshold && !is_adaptive(request))
     return "option '--threshold' is for --sampling adaptive and adaptive-jittered";
   if (const auto wrong = fault(sampling)) return "option '--samples': " + *wrong;
+  request.render.shadows = shadows_named(request.shadows, request.acne_cure);
   FilterKind kind = FilterKind::box;
   if (request.filter == "tent") kind = FilterKind::tent;
   if (request.filter == "gaussian") kind = FilterKind::gaussian;
@@ -230,6 +245,18 @@ void declare(Options& options, RenderRequest& request) {
                  "how samples become pixels (default: box, their mean)", request.filter);
   options.real("--filter-width", "W", "in pixels (default: box 1, tent 2, gaussian 3, mitchell 4)",
                request.filter_width, 0.01, 2 * kLargestFilterRadius);
+  options.choice("--shadows", {"attenuated", "opaque"},
+                 "what transparent surfaces do to light on its way: weaken it along the straight line, or block it "
+                 "(default: attenuated)",
+                 request.shadows);
+  options.choice("--acne-cure", {"bound", "tolerance", "moved-origin", "convex", "none"},
+                 "how a shadow ray is kept off the surface it begins on: by the hit's error bound, by a least t or a "
+                 "step of 1e-5, or by leaving out a convex surface itself (default: bound)",
+                 request.acne_cure);
+  options.integer("--wavelengths", "N",
+                  "trace N parts of the visible light apart where a ray meets a material with \"dispersion\" "
+                  "(default: 0, all light at once)",
+                  request.render.wavelengths, 0, kMostWavelengths);
   options.text("--aov", "LIST",
                "further channels of the EXR: depth, normal, albedo, object, samples, tree_depth, with commas, or all",
                request.facts);
@@ -239,7 +266,8 @@ void declare(Options& options, RenderRequest& request) {
                  request.accelerator);
   add_tone(options, request.tone, "1");
   options.text("--ray-tree", "COLUMN,ROW",
-               "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it)",
+               "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it); "
+               "short for the command ray-tree",
                request.pixel);
   options.path(
       "--preview", "FILE.png",

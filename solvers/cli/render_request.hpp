@@ -22,6 +22,8 @@ struct RenderRequest {
   std::string accelerator = "bvh";
   std::string sampling = "uniform";
   std::string filter = "box";
+  std::string shadows = "attenuated";
+  std::string acne_cure = "bound";
   double filter_width = 0;  ///< 0: the filter's own
   int seed = 0;
   ToneOptions tone;

@@ -13,6 +13,7 @@
 #include "etendue/io/nearest.hpp"
 #include "etendue/text/utf8.hpp"
 #include "form_factors_command.hpp"
+#include "ray_tree_command.hpp"
 #include "render_command.hpp"
 #include "solve_command.hpp"
 #include "validate_command.hpp"
@@ -89,6 +90,7 @@ const std::vector<Command>& commands() {
       {"view", "show a saved solution from any side", view},
       {"form-factors", "find the form factors between a scene's surfaces", form_factors},
       {"render", "render a scene by ray tracing", render},
+      {"ray-tree", "print or draw the tree of rays of one pixel", ray_tree},
       {"catalogue", "closed-form form factors: list, page, picture, value", catalogue},
       {"validate", "check every claim against its oracle", validate},
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/acceleration/accelerator.hpp"
 
+#include <algorithm>
+
 #include "etendue/acceleration/bounding_spheres.hpp"
 #include "etendue/acceleration/bounding_volumes.hpp"
 #include "etendue/acceleration/brute_force.hpp"
@@ -8,6 +10,11 @@
 #include "etendue/acceleration/octree.hpp"
 
 namespace etendue {
+
+Accelerator::Accelerator(const Scene& scene)
+    : scene_(scene), transparent_(std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+        return scene.materials[object.material].k_t > 0;
+      })) {}
 
 std::unique_ptr<const Accelerator> make_accelerator(const Scene& scene, AcceleratorKind kind) {
   switch (kind) {

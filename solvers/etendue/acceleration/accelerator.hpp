@@ -62,13 +62,17 @@ class Accelerator {
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
 
+  /// Whether light goes through any surface (k_t > 0); otherwise whatever blocks a ray is opaque.
+  [[nodiscard]] bool has_transparent_surfaces() const { return transparent_; }
+
  protected:
-  explicit Accelerator(const Scene& scene) : scene_(scene) {}
+  explicit Accelerator(const Scene& scene);
   Accelerator(const Accelerator&) = default;
   Accelerator& operator=(const Accelerator&) = delete;
 
  private:
   const Scene& scene_;
+  bool transparent_;
 };
 
 enum class AcceleratorKind {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/material_reader.hpp"
 
+#include <algorithm>
+
 #include "etendue/text/number_text.hpp"
 
 namespace etendue {
@@ -23,9 +25,76 @@ Rgb colour(const SceneNode& node, const char* key, const Interval& interval, con
   return member ? member->colour(interval).value_or(otherwise) : otherwise;
 }
 
+/// Coefficients of Cauchy's formula, in micrometres: beyond them no medium disperses.
+constexpr Interval kCauchy{-10, 10};
+/// Strengths of resonances, and squares of their wavelengths in micrometres.
+constexpr Interval kStrength{-100, 100};
+constexpr Interval kResonance{0, 1e6};
+constexpr int kMostPriority = 1000;
+
+std::optional<Sellmeier> read_sellmeier(const SceneNode& node) {
+  Sellmeier sellmeier;
+  const std::size_t most = sellmeier.strength.size();
+  const auto strengths = node.member("strength"), resonances = node.member("resonance");
+  if (!strengths || !resonances) return std::nullopt;
+  const auto b = strengths->items(1, most, "numbers"), c = resonances->items(1, most, "numbers");
+  if (b.size() != c.size()) {
+    resonances->complain("found " + std::to_string(c.size()) + " resonances, expected as many as strengths, " +
+                         std::to_string(b.size()));
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < std::min(b.size(), most); ++i) {
+    sellmeier.strength[i] = b[i].number(kStrength).value_or(0);
+    sellmeier.resonance[i] = c[i].number(kResonance).value_or(0);
+  }
+  return sellmeier;
+}
+
+/// The name of a known medium, or an object with the formula's coefficients.
+std::optional<Dispersion> read_dispersion(const SceneNode& node) {
+  if (node.json().kind == JsonValue::Kind::string) {
+    std::vector<std::string> names;
+    for (const KnownMedium& medium : known_media()) names.emplace_back(medium.name);
+    const auto name = node.choice(names);
+    const KnownMedium* const medium = name ? find_medium(*name) : nullptr;
+    return medium ? std::optional(medium->dispersion) : std::nullopt;
+  }
+  if (node.json().kind != JsonValue::Kind::object) {
+    node.expected("the name of a medium, or an object with \"a\" (Cauchy), or with \"strength\" and \"resonance\"");
+    return std::nullopt;
+  }
+  std::optional<Dispersion> dispersion;
+  if (node.member("strength") || node.member("resonance")) {
+    if (node.is(keys_of("sellmeier"))) dispersion = read_sellmeier(node);
+  } else if (node.is(keys_of("cauchy")) && node.member("a")) {
+    dispersion = Cauchy{number(node, "a", kCauchy, 1), number(node, "b", kCauchy, 0), number(node, "c", kCauchy, 0)};
+  }
+  if (dispersion && !has_index(*dispersion, kRefractiveIndex.low, kRefractiveIndex.high)) {
+    node.complain("found a formula whose index leaves " + kRefractiveIndex.text() +
+                  " between 380 and 780 nm, expected one of a transparent medium");
+    return std::nullopt;
+  }
+  return dispersion;
+}
+
+void read_inside(const SceneNode& node, double scale, Material& material) {
+  material.eta = number(node, "eta", kRefractiveIndex, 1);
+  if (const auto fresnel = node.member("fresnel")) material.fresnel = fresnel->truth().value_or(false);
+  // per length of the file, whose unit need not be the scene's
+  material.absorption = colour(node, "absorption", kNonNegative, Rgb::Zero()) / scale;
+  if (const auto priority = node.member("priority")) {
+    material.priority = static_cast<int>(priority->integer(-kMostPriority, kMostPriority).value_or(0));
+  }
+  if (const auto dispersion = node.member("dispersion")) {
+    material.dispersion = read_dispersion(*dispersion);
+    if (material.dispersion) material.eta = refractive_index(*material.dispersion, kLineD);
+    if (node.member("eta")) dispersion->complain("found \"dispersion\" beside \"eta\", expected one of them");
+  }
+}
+
 }  // namespace
 
-Material read_material(const SceneNode& node, const std::string& name) {
+Material read_material(const SceneNode& node, const std::string& name, double scale) {
   Material material;
   material.name = name;
   if (!node.is(keys_of("material"))) return material;
@@ -35,7 +104,7 @@ Material read_material(const SceneNode& node, const std::string& name) {
   material.phong_exponent = number(node, "n", kExponent, 1);
   material.k_r = number(node, "k_r", kFraction, 0);
   material.k_t = number(node, "k_t", kFraction, 0);
-  material.eta = number(node, "eta", kRefractiveIndex, 1);
+  read_inside(node, scale, material);
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
   if (material.k_r + material.k_t > 1) {

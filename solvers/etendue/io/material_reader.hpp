@@ -5,8 +5,8 @@
 
 namespace etendue {
 
-/// What is wrong is reported, and left at its default.
-[[nodiscard]] Material read_material(const SceneNode& node, const std::string& name);
+/// What is wrong is reported, and left at its default. `scale` leads from lengths of the file to those of the scene.
+[[nodiscard]] Material read_material(const SceneNode& node, const std::string& name, double scale = 1);
 
 /// A light in world coordinates.
 [[nodiscard]] std::optional<Light> read_light(const SceneNode& node, const Placement& placement);

@@ -23,7 +23,7 @@ class Assembly {
 
   Scene build() {
     for (const LoadedFile& file : files_.files) {
-      if (file.sound) read_materials(node_of(file));
+      if (file.sound) read_materials(node_of(file), scale_of(file));
     }
     for (const LoadedFile& file : files_.files) {
       if (file.sound) read_contents(file);
@@ -36,14 +36,20 @@ class Assembly {
     return SceneNode(file.document.root, file.index, file.name, errors_);
   }
 
-  void read_materials(const SceneNode& top) {
+  /// Lengths come out in the main file's unit.
+  double scale_of(const LoadedFile& file) const {
+    const double main_unit = files_.files.back().metres_per_unit;
+    return file.metres_per_unit == main_unit ? 1 : file.metres_per_unit / main_unit;
+  }
+
+  void read_materials(const SceneNode& top, double scale) {
     const auto materials = top.member("materials");
     if (!materials || !materials->is_object()) return;
     for (const auto& [name, node] : materials->members()) {
       if (!material_index_.emplace(name, scene_.materials.size()).second) {
         node.complain("found a material of a name that an included file has taken, expected another name");
       }
-      scene_.materials.push_back(read_material(node, name));
+      scene_.materials.push_back(read_material(node, name, scale));
     }
   }
 
@@ -62,10 +68,8 @@ class Assembly {
           node->complain("found this in an included file, expected it in the main file only");
       }
     }
-    // Lengths come out in the main file's unit.
-    const double main_unit = files_.files.back().metres_per_unit;
-    const Placement placement =
-        file.metres_per_unit == main_unit ? Placement{} : uniform_scale(file.metres_per_unit / main_unit);
+    const double scale = scale_of(file);
+    const Placement placement = scale == 1 ? Placement{} : uniform_scale(scale);
     file_scale_ = placement.scale;
     if (const auto lights = top.member("lights")) read_lights(*lights, placement);
     if (const auto objects = top.member("objects")) read_objects(*objects, placement, "");

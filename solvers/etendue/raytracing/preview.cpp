@@ -15,6 +15,7 @@ Result<std::optional<Image>> preview(const Accelerator& accelerator, const Rende
   const auto frame = camera_frame(camera);
   if (!frame) return frame.error();
   const PixelWindow window = options.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
+  const Media around = media_around(frame->eye, accelerator);
   Image image(window.columns(), window.rows());
   const int first = window.top / step, last = (window.bottom - 1) / step;
   const bool complete = parallel_for(static_cast<std::size_t>(last - first + 1), execution, [&](std::size_t index) {
@@ -24,7 +25,7 @@ Result<std::optional<Image>> preview(const Accelerator& accelerator, const Rende
       const int right = std::min(left + step, camera.columns);
       const PicturePoint centre{(left + right) / 2.0 / camera.columns,
                                 (camera.rows - (top + bottom) / 2.0) / camera.rows};
-      const Rgb colour = shade(trace(eye_ray(*frame, centre), accelerator, options.limits), accelerator).colour;
+      const Rgb colour = see(eye_ray(*frame, centre), accelerator, options, around).colour;
       for (int row = std::max(top, window.top); row < std::min(bottom, window.bottom); ++row) {
         for (int column = std::max(left, window.left); column < std::min(right, window.right); ++column)
           image.at(column - window.left, row - window.top) = colour;

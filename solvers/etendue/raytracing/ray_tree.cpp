@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/raytracing/ray_tree.hpp"
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "etendue/core/contract.hpp"
 #include "etendue/geometry/spawn.hpp"
+#include "etendue/optics/fresnel.hpp"
 #include "etendue/optics/reflect.hpp"
 #include "etendue/optics/refract.hpp"
 #include "etendue/text/number_text.hpp"
@@ -15,60 +17,122 @@ namespace etendue {
 
 namespace {
 
+/// How a material shares out what comes along global rays.
+struct Shares {
+  double reflected, transmitted;
+};
+
 class TreeBuilder {
  public:
-  TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits) : accelerator_(accelerator), limits_(limits) {}
+  TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits, double wavelength)
+      : accelerator_(accelerator), scene_(accelerator.scene()), limits_(limits) {
+    tree_.wavelength = wavelength;
+  }
 
   void follow(RayNode node) {
+    if (const auto body = node.media.present(scene_)) node.medium = body->material;
     if (node.level > limits_.depth) {
       node.end = RayEnd::depth_limit;
     } else if (node.weight < limits_.cutoff) {
       node.end = RayEnd::below_cutoff;
     } else {
-      const Nearest nearest = accelerator_.nearest(node.ray);
-      tree_.tests += nearest.tests;
-      node.hit = nearest.hit;
-      node.end = node.hit ? RayEnd::surface : RayEnd::left_scene;
+      meet(node);
     }
-    tree_.nodes.push_back(node);
-    if (node.end == RayEnd::surface) branch(tree_.nodes.size() - 1);
+    tree_.nodes.push_back(std::move(node));
+    if (tree_.nodes.back().end == RayEnd::surface) branch(tree_.nodes.size() - 1);
   }
 
   RayTree take() { return std::move(tree_); }
 
  private:
-  void branch(std::size_t parent) {
-    const SceneHit met = *tree_.nodes[parent].hit;
-    const Vec3 direction = tree_.nodes[parent].ray.direction;
-    const Scene& scene = accelerator_.scene();
-    const Material& material = scene.materials[scene.objects[met.object].material];
-
-    double reflected = material.k_r;
-    std::optional<Vec3> transmission;
-    if (material.k_t > 0) {
-      const bool enters = direction.dot(met.hit.normal) < 0;
-      transmission = refract(direction, met.hit.normal, enters ? 1 / material.eta : material.eta);
-      if (!transmission) reflected += material.k_t;  // total internal reflection: nothing is lost
+  /// Finds the next surface that can be seen: those hidden in the body that counts are passed.
+  void meet(RayNode& node) {
+    Ray ahead = node.ray;
+    for (;;) {
+      const Nearest nearest = accelerator_.nearest(ahead);
+      tree_.tests += nearest.tests;
+      node.hit = nearest.hit;
+      node.end = node.hit ? RayEnd::surface : RayEnd::left_scene;
+      if (!node.hit) return;
+      node.length = node.hit->hit.t - node.ray.t_min;
+      if (!is_transparent(material_of(*node.hit))) return;
+      Crossing crossing = cross(node.media, *node.hit, ahead.direction, scene_);
+      if (crossing.visible()) return;
+      node.media = std::move(crossing.behind);
+      ahead.t_min = node.hit->hit.t;
     }
-    if (reflected > 0) {
-      spawn(parent, RayKind::reflected, reflect(direction, met.hit.normal), reflected);
-    }
-    if (transmission) spawn(parent, RayKind::transmitted, *transmission, material.k_t);
   }
 
-  void spawn(std::size_t parent, RayKind kind, const Vec3& direction, double coefficient) {
+  void branch(std::size_t parent) {
+    const SceneHit met = *tree_.nodes[parent].hit;
+    const Ray incident = tree_.nodes[parent].ray;
+    const Material& material = material_of(met);
+    if (!(material.k_r > 0 || material.k_t > 0)) return;  // most surfaces
+    const Media around = tree_.nodes[parent].media;
+    Crossing crossing;
+    if (is_transparent(material)) crossing = cross(around, met, incident.direction, scene_);
+    const double ratio = index_ratio(crossing, tree_.nodes[parent].medium, material);
+    Shares shares = shares_of(material, std::abs(incident.direction.dot(met.hit.normal)), ratio);
+
+    std::optional<Vec3> transmission;
+    if (material.k_t > 0) {
+      transmission = ratio == 1 ? incident.direction : refract(incident.direction, met.hit.normal, ratio);
+      if (!transmission) shares.reflected = material.k_r + material.k_t;  // total internal reflection: nothing is lost
+    }
+    if (shares.reflected > 0) {
+      const Vec3 mirrored = reflect(incident.direction, met.hit.normal);
+      spawn(parent, RayKind::reflected, from_hit(met, mirrored), shares.reflected, around);
+    }
+    if (transmission && shares.transmitted > 0) {
+      Ray onward = incident;  // straight on: beyond this hit, and no surface is met at another t than without it
+      onward.t_min = met.hit.t;
+      spawn(parent, RayKind::transmitted, ratio == 1 ? onward : from_hit(met, *transmission), shares.transmitted,
+            crossing.behind);
+    }
+  }
+
+  /// η_incident / η_transmitted; of an opaque surface, whose inside no one sees, for Fresnel's factor.
+  double index_ratio(const Crossing& crossing, std::optional<std::size_t> medium, const Material& material) const {
+    if (!is_transparent(material)) return index_of(medium) / refractive_index(material, tree_.wavelength);
+    const auto material_in = [](const std::optional<Media::Body>& body) {
+      return body ? std::optional(body->material) : std::nullopt;
+    };
+    return index_of(material_in(crossing.before)) / index_of(material_in(crossing.afterwards));
+  }
+
+  double index_of(std::optional<std::size_t> material) const {
+    return material ? refractive_index(scene_.materials[*material], tree_.wavelength) : 1;
+  }
+
+  static Shares shares_of(const Material& material, double cosine, double ratio) {
+    if (!material.fresnel) return {material.k_r, material.k_t};
+    const double factor = fresnel_reflectance(std::min(cosine, 1.0), ratio);  // absorbs the rounding of unit vectors
+    const double both = material.k_r + material.k_t;
+    return {both * factor, both * (1 - factor)};
+  }
+
+  static Ray from_hit(const SceneHit& met, const Vec3& direction) {
+    return {offset_origin(met.hit, direction), direction};
+  }
+
+  void spawn(std::size_t parent, RayKind kind, const Ray& ray, double coefficient, const Media& media) {
     RayNode child;
-    child.ray.origin = offset_origin(tree_.nodes[parent].hit->hit, direction);
-    child.ray.direction = direction;
+    child.ray = ray;
     child.kind = kind;
     child.level = tree_.nodes[parent].level + 1;
     child.parent = parent;
     child.coefficient = coefficient;
     child.weight = tree_.nodes[parent].weight * coefficient;
+    child.media = media;
     follow(std::move(child));
   }
 
+  const Material& material_of(const SceneHit& met) const {
+    return scene_.materials[scene_.objects[met.object].material];
+  }
+
   const Accelerator& accelerator_;
+  const Scene& scene_;
   const TreeLimits limits_;
   RayTree tree_;
 };
@@ -94,12 +158,13 @@ std::string fate(const RayNode& node, const Scene& scene) {
 
 }  // namespace
 
-RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimits& limits) {
+RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimits& limits, const RayStart& start) {
   require(limits.depth >= 0, "trace: the depth is not negative");
   require(limits.cutoff >= 0, "trace: the cutoff is not negative");
-  TreeBuilder builder(accelerator, limits);
+  TreeBuilder builder(accelerator, limits, start.wavelength);
   RayNode root;
   root.ray = eye_ray;
+  root.media = start.media;
   builder.follow(std::move(root));
   return builder.take();
 }

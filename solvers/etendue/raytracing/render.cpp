@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "etendue/optics/colour.hpp"
 #include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/picture_facts.hpp"
 #include "etendue/text/number_text.hpp"
@@ -41,6 +42,14 @@ RenderCounts count(const RayTree& tree, int& depth) {
   return counts;
 }
 
+/// Whether any ray of the tree meets a surface, or crosses a body, whose index depends on the wavelength.
+bool is_dispersed(const RayTree& tree, const Scene& scene) {
+  return std::any_of(tree.nodes.begin(), tree.nodes.end(), [&](const RayNode& node) {
+    if (node.medium && scene.materials[*node.medium].dispersion) return true;
+    return node.hit && scene.materials[scene.objects[node.hit->object].material].dispersion.has_value();
+  });
+}
+
 PixelWindow window_of(const RenderOptions& options, const Camera& camera) {
   return options.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
 }
@@ -48,6 +57,7 @@ PixelWindow window_of(const RenderOptions& options, const Camera& camera) {
 std::optional<std::string> fault(const RenderOptions& options, const Camera& camera) {
   if (options.limits.depth < 0) return "depth " + std::to_string(options.limits.depth) + " is negative";
   if (!(options.limits.cutoff >= 0)) return "cutoff " + shortest(options.limits.cutoff) + " is not 0 or more";
+  if (options.wavelengths < 0) return std::to_string(options.wavelengths) + " wavelengths are less than none";
   if (const auto wrong = etendue::fault(options.sampling)) return wrong;
   if (!(options.filter.radius > 0 && options.filter.radius <= kLargestFilterRadius))
     return "filter radius " + shortest(options.filter.radius) + " is not in (0, " + shortest(kLargestFilterRadius) +
@@ -71,6 +81,7 @@ class RowPipeline {
         execution_(execution),
         session_(session),
         window_(window_of(options, camera_)),
+        around_(media_around(frame.eye, accelerator)),
         sampler_(options.sampling, options.filter, {window_.left, window_.right}, camera_.columns),
         begun_(static_cast<std::size_t>(camera_.rows)),
         completed_(begun_.size()) {
@@ -143,16 +154,11 @@ class RowPipeline {
   }
 
   Look looking(RenderCounts& counts) {
-    return [this, &counts](double x, double y, const SampleKey&) {
+    return [this, &counts](double x, double y, const SampleKey& key) {
       const PicturePoint point{x / camera_.columns, (camera_.rows - y) / camera_.rows};
-      const RayTree tree = trace(eye_ray(frame_, point), accelerator_, options_.limits);
-      const Shaded shaded = shade(tree, accelerator_);
-      Glimpse seen{shaded.colour, 0};
-      RenderCounts work = count(tree, seen.tree_depth);
-      work.shadow_rays = shaded.shadow_rays;
-      work.tests += shaded.tests;
-      counts += work;
-      return seen;
+      const Seen seen = see(eye_ray(frame_, point), accelerator_, options_, around_, key);
+      counts += seen.counts;
+      return Glimpse{seen.colour, seen.tree_depth};
     };
   }
 
@@ -208,6 +214,7 @@ class RowPipeline {
   const Execution& execution_;
   const RenderSession& session_;
   const PixelWindow window_;
+  const Media around_;
   const RowSampler sampler_;
   std::vector<char> begun_, completed_;  ///< by row of the camera's picture
   std::vector<std::unique_ptr<SampledRow>> rows_ = std::vector<std::unique_ptr<SampledRow>>(begun_.size());
@@ -227,6 +234,29 @@ RenderCounts& RenderCounts::operator+=(const RenderCounts& other) {
   cut_by_cutoff += other.cut_by_cutoff;
   largest_cut_weight = std::max(largest_cut_weight, other.largest_cut_weight);
   return *this;
+}
+
+Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions& options, const Media& around,
+         const SampleKey& key) {
+  Seen seen;
+  const auto add = [&](const RayTree& tree, const Rgb& weight) {
+    const Shaded shaded = shade(tree, accelerator, key.part(sample_number::kShade), options.shadows);
+    RenderCounts counts = count(tree, seen.tree_depth);
+    counts.shadow_rays = shaded.shadow_rays;
+    counts.tests += shaded.tests;
+    seen.counts += counts;
+    seen.colour += weight * shaded.colour;
+  };
+  const RayTree tree = trace(eye_ray, accelerator, options.limits, {around});
+  if (options.wavelengths == 0 || !is_dispersed(tree, accelerator.scene())) {
+    add(tree, Rgb::Ones());
+    return seen;
+  }
+  const double offset = key.number(sample_number::kWavelength);
+  for (const WavelengthSample& sample : wavelength_samples(options.wavelengths, offset)) {
+    add(trace(eye_ray, accelerator, options.limits, {around, sample.wavelength}), sample.weight);
+  }
+  return seen;
 }
 
 Result<Rendering> render(const Accelerator& accelerator, const RenderOptions& options, const Execution& execution,

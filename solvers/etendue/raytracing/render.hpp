@@ -34,6 +34,8 @@ struct RenderOptions {
   PixelFilter filter;
   std::optional<PixelWindow> crop;  ///< only this part, with the bits it has in the whole
   std::vector<PictureFact> facts;
+  Shadows shadows;
+  int wavelengths = 0;  ///< parts of the visible light that are traced apart, see(); 0: all light at once
 };
 
 /// The work a picture was, and what was left out of it.
@@ -51,6 +53,23 @@ struct RenderCounts {
   std::uint64_t rays() const { return eye_rays + reflected_rays + transmitted_rays + shadow_rays; }
   RenderCounts& operator+=(const RenderCounts& other);
 };
+
+/// What an eye ray sees, and the work it was.
+struct Seen {
+  Rgb colour = Rgb::Zero();
+  RenderCounts counts;
+  int tree_depth = 0;  ///< greatest level of a ray that was followed
+};
+
+/// Traces and shades one eye ray: once, or once for each part of the visible light.     @eq IU.5-2, IU.4-6, IU.2.9b
+///
+///     colour = Σ_i w_i I(λ_i)        w_i, λ_i of wavelength_samples(), per channel
+///
+/// With `wavelengths` the index of each medium is that for λ_i; colours stay what they are per channel. A ray whose tree
+/// meets nothing dispersive is traced once: a scene without dispersion gives the same bits with any number of parts.
+/// Symbols   around: media_around() the eye; where in each part the wavelength lies, the key says
+[[nodiscard]] Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions& options,
+                       const Media& around, const SampleKey& key = {});
 
 /// What became of a row of the whole camera picture, in the two steps of RowSampler.
 struct RowCounts {

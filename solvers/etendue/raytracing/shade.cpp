@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "etendue/geometry/spawn.hpp"
+#include "etendue/optics/absorption.hpp"
 #include "etendue/reflectance/local.hpp"
 
 namespace etendue {
@@ -24,19 +25,24 @@ LightSample towards(const Light& light, const Vec3& point) {
   return {way.stableNormalized(), way.stableNorm()};
 }
 
-Ray shadow_ray(const Hit& hit, const Light& light) {
+Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
+  const Vec3 to_light = towards(light, hit.point).to_light;
   Ray ray;
-  ray.origin = offset_origin(hit, towards(light, hit.point).to_light);
+  ray.origin = cure == AcneCure::error_bound ? offset_origin(hit, to_light) : hit.point;
+  if (cure == AcneCure::moved_origin) ray.origin += kShadowTolerance * to_light;
+  if (cure == AcneCure::tolerance) ray.t_min = kShadowTolerance;
   const LightSample sample = towards(light, ray.origin);
   ray.direction = sample.to_light;
   ray.t_max = sample.distance;
   return ray;
 }
 
-Shaded local_illumination(const SceneHit& met, const Vec3& direction, const Accelerator& accelerator) {
+Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey&, const Shadows& shadows,
+                          double wavelength) {
+  const SceneHit& met = *node.hit;
   const Scene& scene = accelerator.scene();
   const Material& material = scene.materials[scene.objects[met.object].material];
-  const Vec3 to_viewer = -direction;
+  const Vec3 to_viewer = -node.ray.direction;
   const Vec3 normal = met.hit.normal.dot(to_viewer) < 0 ? Vec3(-met.hit.normal) : met.hit.normal;
 
   Shaded result;
@@ -46,28 +52,31 @@ Shaded local_illumination(const SceneHit& met, const Vec3& direction, const Acce
     const LightSample sample = towards(light, met.hit.point);
     if (!returns_light || !(normal.dot(sample.to_light) > 0)) continue;
     ++result.shadow_rays;
-    const Obstruction obstruction = accelerator.obstruction(shadow_ray(met.hit, light));
-    result.tests += obstruction.tests;
-    if (!obstruction.blocked) arriving.push_back({sample.to_light, intensity(light), 1});
+    const Passage way =
+        passage(shadow_ray(met.hit, light, shadows.cure), {met.object, node.media, wavelength}, accelerator, shadows);
+    result.tests += way.tests;
+    if ((way.share > 0).any()) arriving.push_back({sample.to_light, intensity(light) * way.share, 1});
   }
   const LocalReflection surface{material.k_a, material.k_d, material.k_s, material.phong_exponent};
   result.colour = local_reflection(surface, normal, to_viewer, scene.ambient, arriving) + material.emission;
   return result;
 }
 
-Shaded shade(const RayTree& tree, const Accelerator& accelerator) {
+Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKey& key, const Shadows& shadows) {
+  const Scene& scene = accelerator.scene();
   Shaded total;
   std::vector<Rgb> colour(tree.nodes.size(), Rgb::Zero());
   // Children come after their parents, so from the back every ray's own sum is complete when it is passed on.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const RayNode& node = tree.nodes[i];
-    if (node.end == RayEnd::left_scene) colour[i] = accelerator.scene().background;
+    if (node.end == RayEnd::left_scene) colour[i] = scene.background;
     if (node.end == RayEnd::surface) {
-      const Shaded local = local_illumination(*node.hit, node.ray.direction, accelerator);
+      const Shaded local = local_illumination(node, accelerator, key.part(i), shadows, tree.wavelength);
       colour[i] += local.colour;
       total.shadow_rays += local.shadow_rays;
       total.tests += local.tests;
     }
+    if (node.medium) colour[i] *= transmittance(scene.materials[*node.medium].absorption, node.length);
     if (node.parent != RayNode::kNone) colour[node.parent] += node.coefficient * colour[i];
   }
   total.colour = colour[0];

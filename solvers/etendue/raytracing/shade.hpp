@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "etendue/raytracing/ray_tree.hpp"
+#include "etendue/raytracing/sample_key.hpp"
+#include "etendue/raytracing/shadow.hpp"
 
 namespace etendue {
 
@@ -18,8 +20,8 @@ struct LightSample {
 ///
 /// It begins outside the error bound of the hit (no tolerance on t, no excluded surface) and runs towards the light:
 /// for a directional light that travels along l, this is RT(M, −l, 0, ∞), and what it finds are blockers (erratum R7).
-/// It ends at a point light, so only a hit nearer than the light blocks.
-[[nodiscard]] Ray shadow_ray(const Hit& hit, const Light& light);
+/// It ends at a point light, so only a hit nearer than the light blocks. The text's cures of acne stand beside ours.
+[[nodiscard]] Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure = AcneCure::error_bound);
 
 /// What one eye ray sees.
 struct Shaded {
@@ -28,21 +30,26 @@ struct Shaded {
   TestCount tests;  ///< of the shadow rays
 };
 
-/// Local part of equation 5-2 at one hit: emission, and local_reflection() of the lights that reach it.
+/// Local part of equation 5-2 where a ray of the tree met a surface: emission, and local_reflection() of the lights that
+/// reach it, each weakened by what its shadow ray passes.
 ///
-///     I = E + k_a I_a + Σ_i I_p,i [ k_d max(0, N·L_i) + k_s max(0, R_i·V)ⁿ ]
+///     I = E + k_a I_a + Σ_i I_p,i s_i [ k_d max(0, N·L_i) + k_s max(0, R_i·V)ⁿ ]
 ///
-/// Symbols   N the geometric normal on the viewer's side; V = −direction; L_i towards light i; I_pi its intensity;
-///           the sum is over the lights that are not blocked and stand before the surface. E, the material's emission,
-///           counts as an intensity.
+/// Symbols   N the geometric normal on the viewer's side; V = −direction; L_i towards light i; I_pi its intensity, s_i the
+///           share of it that passage() leaves; the sum is over the lights that stand before the surface. E, the
+///           material's emission, counts as an intensity.
 /// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
-[[nodiscard]] Shaded local_illumination(const SceneHit& hit, const Vec3& direction, const Accelerator& accelerator);
+[[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator,
+                                        const Shadows& shadows = {}, double wavelength = 0);
 
 /// Intensity that comes back along the tree's first ray.                                      @eq IU.5-2
 ///
-///     I = I_local + k_r I_r + k_t I_t    for each ray that met a surface, from the leaves to the root
+///     I = [ I_local + k_r I_r + k_t I_t ] exp(−σ d)    for each ray that met a surface, from the leaves to the root
 ///
+/// Symbols   σ absorption of the body that the ray travels in, d the ray's length: transmittance()
 /// A ray that left the scene brings the background, one that was not followed brings nothing.
-[[nodiscard]] Shaded shade(const RayTree& tree, const Accelerator& accelerator);
+/// Ray i of the tree draws its random numbers from key.part(i).
+[[nodiscard]] Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKey& key = {},
+                           const Shadows& shadows = {});
 
 }  // namespace etendue

@@ -19,6 +19,7 @@
 #include "etendue/geometry/sphere.hpp"
 #include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
+#include "etendue/optics/dispersion.hpp"
 
 namespace etendue {
 
@@ -38,13 +39,17 @@ struct Camera {
 /// Everything either solver wants to know of a surface. Coefficients are fractions in [0, 1].
 struct Material {
   std::string name;
-  Rgb k_d = Rgb::Zero();       ///< diffuse reflection, per channel
-  Rgb k_a = Rgb::Zero();       ///< reflection of the ambient light; the reader sets it to k_d unless it is given
-  double k_s = 0;              ///< local specular reflection (Phong), not coloured
-  double phong_exponent = 1;   ///< n
-  double k_r = 0;              ///< global specular reflection
-  double k_t = 0;              ///< global specular transmission
-  double eta = 1;              ///< refractive index of the inside
+  Rgb k_d = Rgb::Zero();         ///< diffuse reflection, per channel
+  Rgb k_a = Rgb::Zero();         ///< reflection of the ambient light; the reader sets it to k_d unless it is given
+  double k_s = 0;                ///< local specular reflection (Phong), not coloured
+  double phong_exponent = 1;     ///< n
+  double k_r = 0;                ///< global specular reflection
+  double k_t = 0;                ///< global specular transmission
+  double eta = 1;                ///< refractive index of the inside; where there is dispersion, that for yellow (n_d)
+  bool fresnel = false;          ///< k_r + k_t is divided by Fresnel's factor, whatever each of them is
+  Rgb absorption = Rgb::Zero();  ///< σ of the inside, per channel [1/length]
+  std::optional<Dispersion> dispersion;  ///< the index for each wavelength
+  int priority = 0;            ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
 };
