@@ -103,6 +103,70 @@ TEST(RenderCommand, PrintsARayTreeAsJson) {
   EXPECT_TRUE(holds(drawn.code == 0 && drawn.out == printed.out && folder.contents() == "tree.dot")) << drawn.err;
 }
 
+std::string four_surfaces() {
+  return (source_root() / "scenes" / "ray-tree" / "scene.json").string();
+}
+
+/// Figure 36 as text: each ray with the product of the coefficients along its path, and why it ended.
+constexpr const char* kFigure36 =
+    "R weight 1 meets S1\n"
+    "  R1 weight 0.1 meets S2\n"
+    "    R2 weight 0.03 leaves the scene\n"
+    "    T2 weight 0.05 meets S3\n"
+    "      R3 weight 0.01 leaves the scene\n"
+    "      T3 weight 0.025 meets S4\n"
+    "        R4 weight 0.015 leaves the scene\n"
+    "  T1 weight 0.8 leaves the scene\n";
+
+// CLAIM      IU.f32, IU.f36: etendue ray-tree prints the figure's tree for the pixel that looks at S1, and writes it as text,
+//            JSON, graph and drawing, by the name's ending.
+// ORACLE     table: the figure, ray by ray.
+// TOLERANCE  none.
+TEST(RayTreeCommand, PrintsAndWritesFigure36) {
+  proves({"IU.f32", "IU.f36"}, Oracle::table, "figures 32 and 36, ray by ray, from the scene file");
+  const Ended printed = run_etendue({"ray-tree", four_surfaces(), "--pixel", "50", "50"});
+  EXPECT_TRUE(holds(printed.code == 0 && printed.out == kFigure36)) << printed.out << printed.err;
+  const TemporaryFolder folder;
+  const auto written = [&](const std::string& name) {
+    const auto path = folder.path() / name;
+    const Ended ended = run_etendue({"ray-tree", four_surfaces(), "--pixel", "50", "50", "-o", path.string()});
+    EXPECT_TRUE(holds(ended.code == 0 && ended.out == path.string() + "\n")) << ended.err;
+    return read_text(path);
+  };
+  EXPECT_TRUE(holds(written("tree.txt") == kFigure36));
+  EXPECT_TRUE(holds(written("tree.dot").rfind("digraph ray_tree {", 0) == 0));
+  const std::string svg = written("tree.svg");
+  for (const char* label :
+       {">R 1<", ">R1 0.1<", ">R2 0.03<", ">T2 0.05<", ">R3 0.01<", ">T3 0.025<", ">R4 0.015<", ">T1 0.8<", ">S4<"}) {
+    EXPECT_TRUE(holds(svg.rfind("<svg ", 0) == 0 && svg.find(label) != std::string::npos)) << label;
+  }
+  const auto report = nlohmann::json::parse(written("tree.json"));
+  ASSERT_EQ(report["rays"].size(), 8u);
+  EXPECT_TRUE(holds(report["rays"][5]["name"] == "T3" && report["rays"][5]["coefficient"] == 0.5));
+  EXPECT_TRUE(holds(report["rays"][6]["end"] == "left scene" && report["rays"][6]["parent"] == 5));
+  const Ended short_tree = run_etendue({"ray-tree", four_surfaces(), "--pixel", "50", "50", "--cutoff", "0.02"});
+  EXPECT_TRUE(holds(short_tree.out.find("R4 weight 0.015 is not followed: below the cutoff") != std::string::npos));
+}
+
+// CLAIM      What ray-tree cannot do it says: a pixel that is missing or beside the picture, another ending, a scene's own file.
+// ORACLE     table: the words of each message.
+// TOLERANCE  none.
+TEST(RayTreeCommand, SaysWhatIsWrong) {
+  proves({}, Oracle::table, "one message for each misuse");
+  const auto refused = [](std::vector<std::string> more, const char* words) {
+    more.insert(more.begin(), {"ray-tree", four_surfaces()});
+    const Ended ended = run_etendue(more);
+    EXPECT_TRUE(holds(ended.code == 2 && ended.err.find(words) != std::string::npos)) << ended.err;
+  };
+  refused({}, "found none, expected COLUMN ROW");
+  refused({"--pixel", "101", "0"}, "found '101 0', expected COLUMN ROW from 0 0 to 100 100");
+  refused({"--pixel", "-1", "0"}, "expected COLUMN ROW");
+  refused({"--pixel", "1", "x"}, "expected COLUMN ROW");
+  refused({"--pixel", "1", "1", "-o", "tree.png"}, "expected a name that ends in .txt, .json, .dot or .svg");
+  refused({"--pixel", "1", "1", "-o", four_surfaces()}, "scene.json");
+  refused({"--pixel", "1", "1", "--wavelength", "900"}, "[380, 780]");
+}
+
 // CLAIM      render writes EXR and PNG with what made them, and a report that a machine can read; --columns scales the picture.
 // ORACLE     identity: what was asked for.
 // TOLERANCE  none.

@@ -201,6 +201,62 @@ TEST(SceneReader, JoinsIncludedFiles) {
   EXPECT_EQ(scene.materials.size(), 2u);
 }
 
+// CLAIM      The inside of transparent materials: absorption per length of its own file, dispersion by name or by formula (the
+//            index without a wavelength is then n_d), Fresnel's shares and priority; all off by default.
+// ORACLE     exact: the documented meaning of each key; 0.5 per inch is 0.5/2.54 per centimetre.
+// TOLERANCE  four roundings of the factor; n_d to its printed digits.
+TEST(SceneReader, HoldsTheInsideOfTransparentMaterials) {
+  proves({}, Oracle::exact, "the documented meaning of each key");
+  const TemporaryFolder folder;
+  folder.add("ink.json", R"({"format": "etendue-scene", "version": 1, "unit": "in",
+    "materials": {"ink": {"k_t": 1, "absorption": [0, 0.5, 2], "priority": -3},
+                  "flint": {"k_t": 1, "dispersion": "F2", "fresnel": true},
+                  "cauchy": {"k_t": 1, "dispersion": {"a": 1.5, "b": 0.004}},
+                  "own": {"dispersion": {"strength": [0.75, 0.5], "resonance": [0.01, 100]}}}})");
+  const Scene scene =
+      read(folder, scene_of(R"({"type": "sphere", "material": "ink", "centre": [0, 0, 0], "radius": 7})",
+                            R"("include": ["ink.json"], )", "cm"));
+  ASSERT_EQ(scene.materials.size(), 5u);
+  const Material &ink = scene.materials[0], &flint = scene.materials[1], &plain = scene.materials[4];
+  EXPECT_TRUE(holds(ink.absorption[0] == 0 && ink.priority == -3 && !ink.fresnel && !ink.dispersion && ink.eta == 1));
+  EXPECT_TRUE(near(ink.absorption[1], 0.5 / 2.54, 4 * 0x1p-53));
+  EXPECT_TRUE(near(ink.absorption[2], 2 / 2.54, 4 * 0x1p-53));
+  EXPECT_TRUE(holds(flint.fresnel && flint.dispersion.has_value() && (flint.absorption == 0).all()));
+  EXPECT_TRUE(near(flint.eta, 1.62004, 5e-6));
+  EXPECT_TRUE(near(refractive_index(*scene.materials[2].dispersion, 500), 1.516, 4 * 0x1p-52));
+  const Sellmeier& own = std::get<Sellmeier>(*scene.materials[3].dispersion);
+  EXPECT_TRUE(holds(own.strength[1] == 0.5 && own.resonance[0] == 0.01 && own.strength[2] == 0));
+  EXPECT_TRUE(holds(plain.priority == 0 && !plain.fresnel && !plain.dispersion && (plain.absorption == 0).all()));
+}
+
+// CLAIM      What is wrong with the inside of a material is said: two indices, a medium that no one knows, formulas that are none.
+// ORACLE     exact: the words of each message.
+// TOLERANCE  none.
+TEST(SceneReader, RefusesAnInsideThatIsNone) {
+  proves({}, Oracle::exact, "one message for each fault");
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::string& keys, const std::string& words) {
+    folder.add("b.json",
+               R"({"format": "etendue-scene", "version": 1, "unit": "m", "materials": {"b": {)" + keys + "}}}");
+    const auto scene = read_scene(
+        folder.add("scene.json", scene_of(R"({"type": "sphere", "material": "b", "centre": [0, 0, 0], "radius": 7})",
+                                          R"("include": ["b.json"], )")));
+    EXPECT_TRUE(holds(!scene && scene.error().message.find("/materials/b/" + words) != std::string::npos))
+        << (scene ? "taken: " + keys : scene.error().message);
+  };
+  refused(R"("eta": 1.5, "dispersion": "F2")", R"(dispersion: found "dispersion" beside "eta", expected one of them)");
+  refused(R"("dispersion": "N-BK6")", R"(dispersion: found "N-BK6", expected one of "water", "fused silica", "N-BK7")");
+  refused(R"("dispersion": 1.5)", "dispersion: found 1.5, expected the name of a medium, or an object with");
+  refused(R"("dispersion": {"strength": [1], "resonance": [0.25]})",
+          "dispersion: found a formula whose index leaves [0.1, 10]");
+  refused(R"("dispersion": {"strength": [1, 1], "resonance": [0]})",
+          "dispersion/resonance: found 1 resonances, expected as many as strengths, 2");
+  refused(R"("dispersion": {"b": 1})", R"(dispersion: found no key "a", expected one: it is mandatory here)");
+  refused(R"("absorption": -1)", "absorption: found -1, expected a number in [0, 1e+50]");
+  refused(R"("priority": 0.5)", "priority: found 0.5, expected an integer in [-1000, 1000]");
+  refused(R"("fresnel": 1)", "fresnel: found 1, expected true or false");
+}
+
 // CLAIM      The hash is FNV-1a (64 bit) of the bytes and lengths of all files, and so depends on every byte.
 // ORACLE     closed form: FNV-1a by its definition, the prime as a sum; the published value of the text "a".
 // TOLERANCE  none.

@@ -20,7 +20,7 @@ bool is_closed(const Shape& shape) {
   return std::visit(
       [](const auto& each) {
         using T = std::decay_t<decltype(each)>;
-        return !is_one_of<T, Polygon, Triangle, Plane, Disc, Cylinder>;
+        return !is_one_of<T, Polygon, PolygonWithHoles, Triangle, Plane, Disc, Cylinder, Cone, BezierSurface>;
       },
       shape);
 }

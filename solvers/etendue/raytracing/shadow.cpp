@@ -14,7 +14,8 @@ namespace {
 bool is_convex(const Shape& shape) {
   return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Box>(shape) ||
          std::holds_alternative<Plane>(shape) || std::holds_alternative<Disc>(shape) ||
-         std::holds_alternative<Polygon>(shape) || std::holds_alternative<Triangle>(shape);
+         std::holds_alternative<Polygon>(shape) || std::holds_alternative<PolygonWithHoles>(shape) ||
+         std::holds_alternative<Triangle>(shape);
 }
 
 class Walk {
