@@ -108,5 +108,35 @@ TEST(Convergence, IsOfOrderOneHalfAcrossAPartitionAndOneAlongIt) {
   EXPECT_TRUE(near(std::log2(along[4] / along[16]) / 4, 1, 0.05));
 }
 
+// CLAIM      IU.6.7.2: elements that are quartered keep the grading of their face: after any number of halvings their sides lie on the
+//            lines that so many more rows and columns would have.
+// ORACLE     closed form: line k of n at (1 − g) u + g (1 − cos πu)/2, u = k/n, written out here.
+// TOLERANCE  four roundings of one: a cosine, two products and a corner of the unit square.
+TEST(AdaptiveMesh, KeepsTheGradingOfAFace) {
+  proves({"IU.6.7.2"}, Oracle::closed_form, "the lines of a graded division");
+  const Penumbra penumbra;
+  Scene scene = penumbra.scene(8);
+  scene.objects[0].subdivision.grading = 0.625;
+  const AdaptiveSolution solution = adapted(scene, {0.08, 2, 100'000});
+  std::map<int, int> levels;
+  double area = 0;
+  for (std::size_t k = 0; k < solution.mesh.cells.size(); ++k) {
+    const MeshCell& cell = solution.mesh.cells[k];
+    if (cell.face != 0) continue;
+    const auto line = [&](std::int64_t at) {
+      const double u = static_cast<double>(at) / (8 << cell.level);
+      return 0.375 * u + 0.625 * (1 - std::cos(std::numbers::pi * u)) / 2;
+    };
+    const auto& v = solution.model.elements.elements[k].polygon.vertices();
+    EXPECT_TRUE(within(std::max((v[0] - Vec3(line(cell.a), line(cell.b), 0)).norm(),
+                                (v[2] - Vec3(line(cell.a + 1), line(cell.b + 1), 0)).norm()),
+                       4 * 0x1p-53));
+    area += (v[2].x() - v[0].x()) * (v[2].y() - v[0].y());
+    ++levels[cell.level];
+  }
+  EXPECT_TRUE(near(area, 1, 0x1p-40));
+  EXPECT_TRUE(holds(levels[0] > 0 && levels[1] > 0 && levels[2] > 16));
+}
+
 }  // namespace
 }  // namespace etendue::validation
