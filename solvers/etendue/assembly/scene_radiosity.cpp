@@ -30,30 +30,46 @@ RadiosityEquation radiosity_equation(const Scene& scene, const ElementMesh& mesh
 
 namespace {
 
-RadiosityEquation only_channel(const RadiosityEquation& all, Eigen::Index c) {
-  return {
-      all.factors, all.reflectance.col(c), all.emission.col(c), all.areas, {all.channels[static_cast<std::size_t>(c)]}};
+RadiosityEquation only_channels(const RadiosityEquation& all, Eigen::Index first, Eigen::Index count) {
+  const auto begin = all.channels.begin() + first;
+  return {all.factors,
+          all.reflectance.middleCols(first, count),
+          all.emission.middleCols(first, count),
+          all.areas,
+          {begin, begin + count}};
 }
 
-/// Enters what was solved: channels `first` to the last of `report`.
-void enter(SceneRadiosity& result, const RadiosityEquation& equation, const RadiosityReport& report, std::size_t first,
+/// Enters what was solved, one report after the other: of one channel each, or of all. Judged together, in one pass over F.
+void enter(SceneRadiosity& result, const RadiosityEquation& all, const std::vector<RadiosityReport>& reports,
            const FormFactors& errors) {
-  const RadiosityJudge judge(equation, row_sums(*equation.factors));
-  const Eigen::VectorXd with_factors = judge.bound_with(errors, report.radiosity, judge.judge(report.radiosity));
-  for (Eigen::Index c = 0; c < report.radiosity.cols(); ++c) {
-    const std::size_t channel = first + static_cast<std::size_t>(c);
-    for (std::size_t i = 0; i < result.radiosity.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(channel);
-      result.radiosity[i](column) = report.radiosity(row, c);
-      result.irradiance[i](column) = report.incident(row, c);
-    }
-    result.channels[channel] = {
-        {report.radiosity.col(c), report.residual(c), report.bound(c), report.backward_error(c)},
-        with_factors(c),
-        power_balance(equation, report, c)};
+  Eigen::Index count = 0;
+  for (const RadiosityReport& report : reports) count += report.radiosity.cols();
+  const RadiosityEquation equation = only_channels(all, 0, count);
+  Eigen::MatrixXd radiosity(all.emission.rows(), count);
+  Eigen::Index first = 0;
+  for (const RadiosityReport& report : reports) {
+    radiosity.middleCols(first, report.radiosity.cols()) = report.radiosity;
+    first += report.radiosity.cols();
   }
-  result.status = report.status;
-  result.steps = report.steps;
+  const RadiosityJudge judge(equation, row_sums(*equation.factors));
+  const Eigen::VectorXd with_factors = judge.bound_with(errors, radiosity, judge.judge(radiosity));
+  Eigen::Index channel = 0;
+  for (const RadiosityReport& report : reports) {
+    const RadiosityEquation own = only_channels(all, channel, report.radiosity.cols());
+    for (Eigen::Index c = 0; c < report.radiosity.cols(); ++c, ++channel) {
+      for (std::size_t i = 0; i < result.radiosity.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        result.radiosity[i](channel) = report.radiosity(row, c);
+        result.irradiance[i](channel) = report.incident(row, c);
+      }
+      result.channels[static_cast<std::size_t>(channel)] = {
+          {report.radiosity.col(c), report.residual(c), report.bound(c), report.backward_error(c)},
+          with_factors(channel),
+          power_balance(own, report, c)};
+    }
+    result.status = report.status;
+    result.steps = report.steps;
+  }
 }
 
 SceneRadiosity partial(SceneRadiosity result, std::size_t channels) {
@@ -87,16 +103,13 @@ Result<SceneRadiosity> solve_scene_radiosity(const Scene& scene, const ElementMe
       }
       return !execution.stopping();
     };
-    auto report = solve_radiosity(parts == 1 ? equation : only_channel(equation, part), own);
+    auto report = solve_radiosity(parts == 1 ? equation : only_channels(equation, part, 1), own);
     if (!report && report.error().code != ErrorCode::stopped) return report.error();
     if (!report || report->status == RadiosityStatus::stopped) break;
     solved.push_back(std::move(report).value());
   }
   const DenseFactors errors(matrix.bounds, schedule);
-  for (std::size_t part = 0; part < solved.size(); ++part) {
-    const RadiosityEquation own = parts == 1 ? equation : only_channel(equation, static_cast<Eigen::Index>(part));
-    enter(result, own, solved[part], part, errors);
-  }
+  if (!solved.empty()) enter(result, equation, solved, errors);
   if (solved.size() < static_cast<std::size_t>(parts)) return partial(std::move(result), solved.size());
   return result;
 }
