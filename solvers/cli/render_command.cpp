@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ostream>
 
+#include "etendue/acceleration/embree.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/raytracing/preview.hpp"
 #include "etendue/text/number_text.hpp"
@@ -166,6 +167,8 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
       return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
+  if (const auto missing = embree_missing(); missing && request.accelerator_kind() == AcceleratorKind::embree)
+    return fail(err, kName, *missing);
   const auto accelerator = make_accelerator(file.scene, request.accelerator_kind());
   if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);
 

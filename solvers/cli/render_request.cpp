@@ -122,6 +122,7 @@ AcceleratorKind RenderRequest::accelerator_kind() const {
   if (accelerator == "spheres") return AcceleratorKind::bounding_spheres;
   if (accelerator == "grid") return AcceleratorKind::grid;
   if (accelerator == "octree") return AcceleratorKind::octree;
+  if (accelerator == "embree") return AcceleratorKind::embree;
   return accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
 }
 
@@ -260,9 +261,9 @@ void declare(Options& options, RenderRequest& request) {
   options.text("--aov", "LIST",
                "further channels of the EXR: depth, normal, albedo, object, samples, tree_depth, with commas, or all",
                request.facts);
-  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute"},
-                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one; same picture "
-                 "(default: bvh)",
+  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute", "embree"},
+                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one: same picture; "
+                 "embree: triangles proposed in single precision (default: bvh)",
                  request.accelerator);
   add_tone(options, request.tone, "1");
   options.text("--ray-tree", "COLUMN,ROW",

@@ -6,6 +6,7 @@
 #include "etendue/acceleration/bounding_spheres.hpp"
 #include "etendue/acceleration/bounding_volumes.hpp"
 #include "etendue/acceleration/brute_force.hpp"
+#include "etendue/acceleration/embree.hpp"
 #include "etendue/acceleration/grid.hpp"
 #include "etendue/acceleration/octree.hpp"
 
@@ -26,6 +27,8 @@ std::unique_ptr<const Accelerator> make_accelerator(const Scene& scene, Accelera
       return std::make_unique<const Grid>(scene);
     case AcceleratorKind::octree:
       return std::make_unique<const Octree>(scene);
+    case AcceleratorKind::embree:
+      return make_embree(scene);
     case AcceleratorKind::bounding_volumes:
       break;
   }

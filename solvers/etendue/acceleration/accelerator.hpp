@@ -47,7 +47,7 @@ struct Obstruction {
 
 /// Answers rays about one scene, which must outlive it and stay as it is.
 ///
-/// Every accelerator gives the same answers, bit for bit: the hit with the smallest t in (ray.t_min, ray.t_max); of
+/// Every accelerator (but Embree, embree.hpp) gives the same answers, bit for bit: the hit with the smallest t in (ray.t_min, ray.t_max); of
 /// equal t, the one of the smallest object index; of equal objects, the smallest part. Only the work differs.
 /// Safe to ask from several threads at once.
 class Accelerator {
@@ -81,6 +81,7 @@ enum class AcceleratorKind {
   bounding_spheres,  ///< hierarchy of spheres
   grid,              ///< equal voxels
   octree,            ///< voxels divided where the surfaces are
+  embree,            ///< triangles as Embree proposes them: only where embree_missing() says nothing (embree.hpp)
 };
 
 [[nodiscard]] std::unique_ptr<const Accelerator> make_accelerator(const Scene& scene, AcceleratorKind kind);

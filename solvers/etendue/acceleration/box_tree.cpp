@@ -142,8 +142,7 @@ class Builder {
 
 }  // namespace
 
-BoxTree::BoxTree(const Scene& scene) {
-  const std::vector<Surface> all = surfaces(scene);
+BoxTree::BoxTree(const Scene& scene, const std::vector<Surface>& all) {
   require(all.size() < (std::size_t{1} << 31), "BoxTree: fewer than 2^31 surfaces");
   Items items;
   items.reserve(all.size());

@@ -17,7 +17,9 @@ namespace etendue {
 /// Source    Goldsmith and Salmon 1987 (cost of a cut); Wald 2007, On fast Construction of SAH-based Bounding Volume
 ///           Hierarchies, doi 10.1109/RT.2007.4342588 (bins)
 struct BoxTree {
-  explicit BoxTree(const Scene& scene);
+  explicit BoxTree(const Scene& scene) : BoxTree(scene, surfaces(scene)) {}
+  /// Of these surfaces only.
+  BoxTree(const Scene& scene, const std::vector<Surface>& all);
 
   /// A box and what is in it: either two nodes, or the surfaces [first, first + count).
   struct Node {

@@ -20,13 +20,10 @@ class NearestSearch {
   NearestSearch(const Scene& scene, const Ray& ray) : scene_(scene), ray_(ray), limit_(ray.t_max) {}
 
   /// The ray itself is never shortened: a hit would else depend on the order of the tests.
-  void try_surface(const Surface& surface) {
-    const auto hit = intersect(ray_, scene_, surface);
-    if (!hit) return;
-    const SceneHit candidate{*hit, surface.object, surface.part};
-    if (answer_.hit && !precedes(candidate, *answer_.hit)) return;
-    answer_.hit = candidate;
-    limit_ = hit->t;
+  void try_surface(const Surface& surface) { consider(intersect(ray_, scene_, surface), surface); }
+  /// The same for one that is this triangle; whether it is the best so far.
+  bool try_triangle(const Triangle& triangle, const Surface& surface) {
+    return consider(intersect(ray_, triangle), surface);
   }
   void try_counted(const Surface& surface) {
     ++answer_.tests.surfaces;
@@ -38,6 +35,15 @@ class NearestSearch {
   Nearest& answer() { return answer_; }
 
  private:
+  bool consider(const std::optional<Hit>& hit, const Surface& surface) {
+    if (!hit) return false;
+    const SceneHit candidate{*hit, surface.object, surface.part};
+    if (answer_.hit && !precedes(candidate, *answer_.hit)) return false;
+    answer_.hit = candidate;
+    limit_ = hit->t;
+    return true;
+  }
+
   const Scene& scene_;
   const Ray& ray_;
   double limit_;
@@ -51,6 +57,10 @@ class ObstructionSearch {
 
   bool blocks(const Surface& surface) {
     answer_.blocked = intersect(ray_, scene_, surface).has_value();
+    return answer_.blocked;
+  }
+  bool blocks(const Triangle& triangle) {
+    answer_.blocked = intersect(ray_, triangle).has_value();
     return answer_.blocked;
   }
   bool any_blocks(const std::vector<Surface>& surfaces) {
