@@ -90,6 +90,9 @@ std::optional<std::string> FormFactorsRequest::complete() {
     return "--resolution: found " + std::to_string(pixels.resolution) + ", expected an even number";
   }
   if (!pair.first.empty() && !common.output.empty()) return "--pair prints one pair: leave --output out";
+  if (!pair.first.empty() && (repair || drop != 0)) {
+    return std::string("--pair prints one pair: ") + (repair ? "--repair-closure" : "--drop") + " is of whole matrices";
+  }
   if (resume && common.output.empty()) return "--resume needs the --output of the run";
   return std::nullopt;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "etendue/assembly/certified_exchange.hpp"
@@ -6,6 +7,7 @@
 #include "etendue/assembly/drop.hpp"
 #include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/assembly/ray_exchange.hpp"
+#include "etendue/assembly/row_closure.hpp"
 #include "etendue/core/rounding.hpp"
 #include "meshing/small_scenes.hpp"
 #include "support/evidence.hpp"
@@ -48,6 +50,38 @@ TEST(ExchangeMethods, AgreeWithEnclosures) {
                        exact.exchange_bound(i, j) + certified.exchange_bound(i, j)));
     }
   }
+}
+
+// CLAIM      IU.6-4: where one box stands on another, but for a rounding, rays pass between their faces no more than light does; and a row whose
+//            bound does not tell 0 from 1 is not called covered.
+// ORACLE     identity: the faces that touch exchange nothing; the box above covers only part of the one below.
+// TOLERANCE  none.
+TEST(ExchangeMethods, LetNothingThroughAContact) {
+  proves({"IU.6-4"}, Oracle::identity, "a table top on a leg, heights rounded differently");
+  Scene scene = room_of({0, 0, 0}, {2, 3, 1.5});
+  scene.objects.push_back({"leg", Box{{1, 1, 0.35}, Mat3::Identity(), {0.05, 0.05, 0.35}}, 0, {}});
+  scene.objects.push_back({"top", Box{{1, 1, 0.725}, Mat3::Identity(), {0.3, 0.3, 0.025}}, 0, {}});
+  const ElementMesh mesh = *mesh_elements(scene);
+  const ExchangeMatrix rays = filled(mesh, RayExchange(mesh, {20'000, 3}, {}));
+  const auto faces = [&](const Vec3& normal, std::size_t object) {
+    for (std::size_t k = 0; k < mesh.elements.size(); ++k) {
+      if (mesh.face_of(mesh.elements[k]).object == object && mesh.elements[k].polygon.normal().dot(normal) > 0.99)
+        return k;
+    }
+    return mesh.elements.size();
+  };
+  const std::size_t leg = faces(Vec3::UnitZ(), 6), top = faces(-Vec3::UnitZ(), 7);
+  ASSERT_LT(std::max(leg, top), mesh.elements.size());
+  EXPECT_TRUE(near(rays.exchange(std::min(leg, top), std::max(leg, top)), 0, 0));
+
+  ExchangeMatrix vague(std::vector<double>{1, 1});
+  struct Vague : ExchangeMethod {
+    void find(std::span<const SurfacePair> pairs, std::span<Bounded> exchanges, TileReport&) const override {
+      for (std::size_t k = 0; k < pairs.size(); ++k) exchanges[k] = {0.5, 0.75};
+    }
+  };
+  EXPECT_TRUE(fill_exchanges(vague, Vague(), {1, 1}, {}));
+  EXPECT_TRUE(holds(row_closure(vague).covered.empty() && row_closure(vague).closed()));
 }
 
 // CLAIM      IU.6-4: rays and integration agree within the rays' bounds, past a partition too, and past a mask in its base.

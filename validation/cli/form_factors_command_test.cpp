@@ -134,6 +134,8 @@ TEST(FormFactorsCommand, PrintsOnePair) {
   EXPECT_TRUE(holds(unknown.code == 2 && has(unknown.err, "did you mean 'wall-"))) << unknown.err;
   EXPECT_EQ(form_factors({scene, "--pair", "1"}).code, 2);
   EXPECT_EQ(form_factors({scene, "--pair", "0", "1"}).code, 2);
+  EXPECT_EQ(form_factors({scene, "--pair", "1", "2", "--drop", "1e-3"}).code, 2);
+  EXPECT_EQ(form_factors({scene, "--pair", "1", "2", "--repair-closure"}).code, 2);
 }
 
 // CLAIM      A tolerance that is not reached makes exit code 4 and names the worst pair and its bound; the matrix is written

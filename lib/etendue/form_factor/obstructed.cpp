@@ -137,6 +137,7 @@ Bounded visible_point_to_polygon(const Vec3& point, const Vec3& normal, const Po
   const Bounded free = point_to_polygon(point, normal, polygon);
   if (free.value == 0 || blockers.empty()) return free;
   const SightSpace space = sight_space(point, normal.normalized(), polygon, blockers);
+  if (space.zones.front().dark) return {0, 0};  // it lies under a solid that stands on the surface
   ShadowView view(space.receiver, space.zones.front().outlines);
   const ShadowView::Seen seen = view.from(Vec2::Zero(), ShadowView::Want::both_bounded);
   // What no outline touches keeps the digits of the free factor.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/chord.hpp"
 #include "etendue/form_factor/near_edges.hpp"
 
 namespace etendue {
@@ -30,6 +31,9 @@ constexpr double kTwoNodes = 8;
 /// Least quotient of the distance of the nearest singularity and the cell's radius at which rules converge fast.
 constexpr double kLeastReach = 1.25;
 constexpr int kMostNodes = 8;
+/// Of the radius: as far beside a cell's middle it is looked at. From the middle itself, in scenes on a grid, edges meet
+/// in the view that have nothing to do with one another, and no name of such a corner holds around it.
+constexpr double kAside = 0x1p-28;
 /// Edges that this share of the radius brings together are one but for rounding, as the edge that two plates share.
 constexpr double kDistinct = 0x1p-20;
 
@@ -59,44 +63,6 @@ constexpr double kStrayShare = 0.25;
 /// A cell is halved once more where that makes its form good enough: halves err by 64 times less than the whole.
 constexpr double kFarFrom = 64 * 64;
 constexpr int kMoreSteps = 3;
-
-/// A chord of the cell along an event curve, and how far the curve leaves it compared with its length.
-struct Chord {
-  Vec2 normal;
-  double level;
-  double length;
-  double value;  ///< the curve's, in the middle of the chord
-  double sag;
-};
-
-std::optional<Chord> chord_of(const EventCurve& curve, const Cell& cell) {
-  std::array<Vec2, 3> ends;
-  std::size_t found = 0;
-  for (int i = 0; i < cell.size(); ++i) {
-    const Vec2 &a = cell[i], &b = cell[(i + 1) % cell.size()];
-    const double at_a = curve.at(a), at_b = curve.at(b), middle = curve.at(0.5 * (a + b));
-    // q(t) = c + b t + a t² through the three values
-    const double c = at_a, square = 2 * (at_a + at_b - 2 * middle), linear = at_b - at_a - square;
-    const double discriminant = linear * linear - 4 * square * c;
-    if (!(discriminant > 0)) continue;
-    const double half = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
-    for (const double t : {square != 0 ? half / square : -1.0, half != 0 ? c / half : -1.0}) {
-      if (!(t >= 0 && t < 1)) continue;
-      if (found < ends.size()) ends[found] = a + t * (b - a);
-      ++found;
-    }
-  }
-  if (found != 2) return std::nullopt;
-  const Vec2 along = ends[1] - ends[0];
-  const double length = along.norm();
-  if (!(length > 0)) return std::nullopt;
-  const Vec2 normal(along.y() / length, -along.x() / length), middle = 0.5 * (ends[0] + ends[1]);
-  constexpr double kStep = 0.01;
-  const double slope =
-      (curve.at(middle + kStep * length * normal) - curve.at(middle - kStep * length * normal)) / (2 * kStep);
-  const double value = curve.at(middle), sag = slope != 0 ? std::abs(value / slope) : 1;
-  return Chord{normal, normal.dot(middle), length, value, sag};
-}
 
 double area_of(std::span<const Vec2> corners) {
   double area = 0;
@@ -202,7 +168,10 @@ void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<P
 }
 
 void OuterIntegral::survey(Piece& piece) {
-  const Vec2 centre = piece.cell.centre();
+  const Vec2 middle = piece.cell.centre();
+  double radius = 0;
+  for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - middle).norm());
+  const Vec2 centre = middle + kAside * radius * Vec2(0.8, 0.6);
   piece.form = forms_.size();
   const ShadowView::Survey survey = zones_[piece.zone].view.survey(centre, forms_);
   piece.form_end = forms_.size();
@@ -211,8 +180,6 @@ void OuterIntegral::survey(Piece& piece) {
   piece.hidden = survey.hidden;
   piece.none = survey.none;
   piece.all = survey.all;
-  double radius = 0;
-  for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - centre).norm());
   const auto keeps = [&] {
     return survey.to_crossings > kDistinct * radius &&
            keeps_sides(zones_[piece.zone].view.edges(), form_of(piece), centre, piece.cell.corners());

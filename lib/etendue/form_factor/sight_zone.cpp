@@ -7,61 +7,16 @@
 #include <cstddef>
 #include <utility>
 
-#include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/frame_plane.hpp"
 #include "etendue/form_factor/view_side.hpp"
 
 namespace etendue {
 
 namespace {
 
-/// Rounding of a height: the corners' coordinates, the turn into the source's frame, a dot product; times the distances
-/// that enter.
-constexpr double kOnPlane = 24 * kUnitRoundoff;
-
-/// A plane as seen in the source's frame.
-struct FramePlane {
-  Vec3 normal;
-  Vec3 point;
-  double flatness;
-
-  double height(const Vec3& p) const {
-    const double h = normal.dot(p - point), size = std::abs(h);
-    if (size > flatness + kOnPlane * (p.cwiseAbs().sum() + point.cwiseAbs().sum())) return h;  // no less than the norms
-    return size <= flatness + kOnPlane * (p.norm() + point.norm()) ? 0 : h;
-  }
-  double height(const Vec2& p) const { return height(Vec3(p.x(), p.y(), 0)); }
-};
-
-/// On which sides of a plane some points lie.
-struct Sides {
-  bool front = false, behind = false;
-  template <typename Points>
-  Sides(const Points& points, const FramePlane& plane) {
-    for (const auto& p : points) {
-      const double h = plane.height(p);
-      front = front || h > 0;
-      behind = behind || h < 0;
-    }
-  }
-};
-
-struct Frame {
-  Vec3 x, y, z;
-  Vec3 origin;
-  double scale;
-
-  Vec3 turned(const Vec3& v) const { return {x.dot(v), y.dot(v), z.dot(v)}; }
-  std::vector<Vec3> placed(const std::vector<Vec3>& points) const {
-    std::vector<Vec3> result;
-    result.reserve(points.size());
-    for (const Vec3& p : points) result.push_back(turned(scale * (p - origin)));
-    return result;
-  }
-};
-
-Frame frame_of(const FacingPair& pair, const Vec3& from_origin) {
+SourceFrame frame_of(const FacingPair& pair, const Vec3& from_origin) {
   const std::vector<Vec3>& v = pair.from.vertices;
-  Frame frame;
+  SourceFrame frame;
   frame.z = pair.from.normal;
   // The longest edge: the turn it gives is the least uncertain.
   std::size_t longest = 0;
@@ -84,9 +39,10 @@ struct Placed {
   std::vector<Vec3> points;
   bool in_front = true;              ///< no point behind either plane
   std::vector<FramePlane> planes{};  ///< of a solid's faces; of a plate one, which all its pieces share
+  std::vector<bool> flush{};  ///< whether that plane is the source's: such a face is seen from none of its points
 };
 
-void find_planes(Placed& placed) {
+void find_planes(Placed& placed, const FramePlane& source, const Meant& meant) {
   placed.planes.reserve(placed.blocker->is_solid() ? placed.blocker->faces().size() : 1);
   for (const Blocker::Face& face : placed.blocker->faces()) {
     const std::vector<std::size_t>& c = face.corners;
@@ -96,6 +52,8 @@ void find_planes(Placed& placed) {
       normal += (placed.points[c[i]] - base).cross(placed.points[c[i + 1]] - base);
     }
     placed.planes.push_back({normal.normalized(), base, 0});
+    placed.flush.push_back(
+        std::all_of(c.begin(), c.end(), [&](std::size_t i) { return meant.on(source, placed.points[i]); }));
     if (!placed.blocker->is_solid()) return;
   }
 }
@@ -124,7 +82,7 @@ Outline cut(const Outline& loop, const std::vector<double>& heights) {
 /// What of the loop lies in front of the source (z > 0) and of the receiver; empty where that is no more than an edge.
 Outline keep_between(Outline loop, const FramePlane& source, const FramePlane& receiver) {
   for (const FramePlane* plane : {&source, &receiver}) {
-    const Sides sides(loop, *plane);
+    const SidesOf sides(loop, *plane);
     if (!sides.front) return {};
     if (sides.behind) loop = cut(loop, heights_of(loop, *plane));
     if (loop.size() < 3) return {};
@@ -183,7 +141,7 @@ class Zoning {
  private:
   /// Leaves the part in front of the plane, and adds what lies behind.
   static void split(std::vector<std::vector<Vec2>>& parts, std::size_t index, const FramePlane& plane) {
-    const Sides sides(parts[index], plane);
+    const SidesOf sides(parts[index], plane);
     if (!sides.front || !sides.behind) return;
     const std::vector<Vec2> whole = std::move(parts[index]);
     std::vector<double> heights = heights_of(whole, plane);
@@ -217,8 +175,8 @@ class Zoning {
   }
 
   void add_plates(const Placed& p, SightZone& zone) const {
-    const Sides sides(zone.corners, p.planes.front());
-    if (!sides.front && !sides.behind) return;  // the zone lies in the plate's plane
+    const SidesOf sides(zone.corners, p.planes.front());
+    if (p.flush.front() || (!sides.front && !sides.behind)) return;  // the zone lies in the plate's plane
     if (!sides.front && p.blocker->sides() == BlockingSides::front) return;
     for (const Blocker::Face& face : p.blocker->faces()) add(loop_of(p, face.corners, sides.front), zone);
   }
@@ -227,8 +185,8 @@ class Zoning {
     std::vector<bool> seen;
     seen.reserve(p.planes.size());
     bool any = false;
-    for (const FramePlane& plane : p.planes) {
-      seen.push_back(Sides(zone.corners, plane).front);
+    for (std::size_t f = 0; f < p.planes.size(); ++f) {
+      seen.push_back(!p.flush[f] && SidesOf(zone.corners, p.planes[f]).front);
       any = any || seen.back();
     }
     if (!any) {
@@ -251,7 +209,7 @@ class Zoning {
 enum class Place { in_front, behind, across };
 
 Place place(const std::vector<Vec3>& points, const FramePlane& source, const FramePlane& receiver) {
-  const Sides by_source(points, source), by_receiver(points, receiver);
+  const SidesOf by_source(points, source), by_receiver(points, receiver);
   if (!by_source.front || !by_receiver.front) return Place::behind;
   return by_source.behind || by_receiver.behind ? Place::across : Place::in_front;
 }
@@ -282,10 +240,21 @@ bool misses(const Outline& outline, std::span<const Vec3> receiver, std::span<co
   return false;
 }
 
+/// The least a polygon may be wide that has this area and diameter.
+double width_of(const std::vector<Vec3>& corners) {
+  double area = 0, longest = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec3 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    longest = std::max(longest, (a - corners[0]).norm());
+  }
+  return std::abs(area) / longest;
+}
+
 }  // namespace
 
 SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::span<const Blocker* const> blockers) {
-  const Frame frame = frame_of(pair, from_origin);
+  const SourceFrame frame = frame_of(pair, from_origin);
   SightSpace space;
   std::vector<Vec3> source;
   source.reserve(pair.from.vertices.size());
@@ -307,6 +276,7 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
       high = high.cwiseMax(p);
     }
   }
+  const Meant meant{kMeantOnPlane * pair.scale * from_origin.cwiseAbs().sum(), width_of(source)};
   std::vector<Placed> placed;
   placed.reserve(blockers.size());
   for (const Blocker* blocker : blockers) {
@@ -314,7 +284,7 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
     const Place where = place(candidate.points, source_plane, receiver_plane);
     if (where == Place::behind || apart(candidate.points, low, high)) continue;
     candidate.in_front = where == Place::in_front;
-    find_planes(candidate);
+    find_planes(candidate, source_plane, meant);
     placed.push_back(std::move(candidate));
   }
   const Zoning zoning(std::move(placed), source_plane, receiver_plane);
@@ -333,19 +303,20 @@ SightSpace sight_space(const FacingPair& pair, const Vec3& from_origin, std::spa
 SightSpace sight_space(const Vec3& point, const Vec3& normal, const Polygon& to,
                        std::span<const Blocker* const> blockers) {
   const PointFrame own = frame_of(point, normal);
-  const Frame frame{own.x, own.y, own.z, own.origin, 1};
+  const SourceFrame frame{own.x, own.y, own.z, own.origin, 1};
   const Outline receiver = frame.placed(to.vertices());
   const FramePlane horizon{Vec3::UnitZ(), Vec3::Zero(), 0};
   const FramePlane receiver_plane{frame.turned(to.normal()), receiver[0], 0};
   SightSpace space;
   space.receiver = cut(receiver, heights_of(receiver, horizon));
+  const Meant meant{kMeantOnPlane * own.origin.cwiseAbs().sum()};
   std::vector<Placed> placed;
   for (const Blocker* blocker : blockers) {
     Placed candidate{blocker, frame.placed(blocker->points())};
     const Place where = place(candidate.points, horizon, receiver_plane);
     if (where == Place::behind) continue;
     candidate.in_front = where == Place::in_front;
-    find_planes(candidate);
+    find_planes(candidate, horizon, meant);
     placed.push_back(std::move(candidate));
   }
   space.zones.push_back(Zoning(std::move(placed), horizon, receiver_plane).zone({Vec2::Zero()}));
@@ -357,7 +328,7 @@ PointFrame frame_of(const Vec3& point, const Vec3& normal) {
 }
 
 std::vector<std::vector<Outline>> point_outlines(const PointFrame& own, std::span<const Blocker* const> blockers) {
-  const Frame frame{own.x, own.y, own.z, own.origin, 1};
+  const SourceFrame frame{own.x, own.y, own.z, own.origin, 1};
   const FramePlane horizon{Vec3::UnitZ(), Vec3::Zero(), 0};
   std::vector<std::vector<Outline>> found;
   for (const Blocker* blocker : blockers) {
@@ -366,7 +337,7 @@ std::vector<std::vector<Outline>> point_outlines(const PointFrame& own, std::spa
     found.emplace_back();
     if (where == Place::behind) continue;
     placed.in_front = where == Place::in_front;
-    find_planes(placed);
+    find_planes(placed, horizon, {kMeantOnPlane * own.origin.cwiseAbs().sum()});
     found.back() = Zoning({std::move(placed)}, horizon, horizon).zone({Vec2::Zero()}).outlines;
   }
   return found;

@@ -8,6 +8,7 @@
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/assembly/round_checks.hpp"
+#include "etendue/core/rounding.hpp"
 #include "etendue/core/split_mix.hpp"
 #include "etendue/form_factor/patch_chart.hpp"
 #include "etendue/geometry/jordan.hpp"
@@ -17,6 +18,9 @@
 namespace etendue {
 
 namespace {
+
+/// Of coordinates: how far apart rounding may leave surfaces that touch.
+constexpr double kContact = 16 * kUnitRoundoff;
 
 /// The n-th number of a stream depends on seed and stream alone.
 class Stream {
@@ -134,8 +138,12 @@ struct Target {
       if (nearest->hit.normal.dot(ray.direction) < 0) arrive(candidates.front());
       return;
     }
-    if (mesh.faces[nearest->object].polygon.normal().dot(ray.direction) >= 0) return;
-    const int axis = dominant_axis(mesh.faces[nearest->object].polygon.normal());
+    const Polygon& met = mesh.faces[nearest->object].polygon;
+    if (met.normal().dot(ray.direction) >= 0) return;
+    // What lies on the starting point's own surface covers it: nothing passes between.
+    const double room = kContact * (ray.origin.lpNorm<1>() + met.centroid().lpNorm<1>());
+    if (std::abs(met.normal().dot(ray.origin - met.centroid())) <= room) return;
+    const int axis = dominant_axis(met.normal());
     for (const std::size_t element : candidates) {
       // Elements of a whole undivided face are met as the face is; the rim is nobody's to lose.
       if (candidates.size() == 1 || encloses(mesh.elements[element].polygon.vertices(), nearest->hit.point, axis)) {

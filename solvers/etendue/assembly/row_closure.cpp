@@ -38,7 +38,7 @@ RowClosure row_closure(const ExchangeMatrix& matrix) {
     const double rounding = gamma_bound(static_cast<int>(std::min<std::size_t>(2 * n + 2, 1u << 30)));
     const double bound = closure.bounds[i] * (1 + rounding) + rounding * sum;
     closure.bounds[i] = bound;
-    if (sum <= bound) {
+    if (sum <= bound && 1 - sum > bound) {  // a bound that holds 0 and 1 alike tells nothing
       closure.covered.push_back(i);
       continue;
     }

@@ -11,7 +11,7 @@ namespace etendue {
 struct RowClosure {
   std::vector<double> sums;          ///< s_i
   std::vector<double> bounds;        ///< on |s_i − exact|: the row's factors' bounds, and the rounding of the sum
-  std::vector<std::size_t> covered;  ///< rows that see nothing (s_i within its bound of 0)
+  std::vector<std::size_t> covered;  ///< rows that see nothing: s_i within its bound of 0, not of 1
   std::vector<std::size_t> open;     ///< rows whose sum stays below 1 by more than its bound
   std::vector<std::size_t> above;    ///< rows whose sum exceeds 1 by more than its bound: surfaces overlap
   double defect = 0;                 ///< max |1 − s_i| over the rows that are not covered
