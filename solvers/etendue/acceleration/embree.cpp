@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string>
 #include <vector>
 
 #include "etendue/acceleration/bounding_volumes.hpp"
@@ -35,6 +37,8 @@ namespace {
 
 // The library is opened when it is first wanted: whoever links etendue::solvers needs no Embree.
 constexpr const char* kFile = "libembree3.so.3";
+/// It builds its tree by itself: our threads are ours.
+constexpr const char* kDevice = "threads=1";
 
 /// What is used of Embree, by its own names.
 struct Library {
@@ -54,6 +58,7 @@ struct Library {
   decltype(&rtcCommitScene) commit_scene = nullptr;
   decltype(&rtcIntersect1) intersect1 = nullptr;
   decltype(&rtcOccluded1) occluded1 = nullptr;
+  decltype(&rtcGetDeviceError) device_error = nullptr;
   std::optional<Error> missing;
 };
 
@@ -86,6 +91,15 @@ Library open_library() {
   load(library.commit_scene, "rtcCommitScene");
   load(library.intersect1, "rtcIntersect1");
   load(library.occluded1, "rtcOccluded1");
+  load(library.device_error, "rtcGetDeviceError");
+  if (library.missing) return library;
+  const RTCDevice device = library.new_device(kDevice);
+  if (!device) {
+    library.missing = Error{ErrorCode::input_output, "embree: it cannot work on this machine (error " +
+                                                         std::to_string(library.device_error(nullptr)) + ")"};
+  } else {
+    library.release_device(device);
+  }
   return library;
 }
 
@@ -148,7 +162,7 @@ class Embree final : public Accelerator {
  private:
   Embree(const Scene& scene, const Division& division)
       : Accelerator(scene), exact_(scene), others_(scene, division.others), has_others_(!division.others.empty()) {
-    device_ = library().new_device("threads=1");
+    device_ = library().new_device(kDevice);
     if (division.triangles.empty()) return;
     members_.reserve(division.triangles.size());
     for (const Surface& surface : division.triangles) {
@@ -182,6 +196,7 @@ class Embree final : public Accelerator {
     library().attach_geometry(scene_, geometry);
     library().release_geometry(geometry);
     library().commit_scene(scene_);
+    if (library().device_error(device_) != RTC_ERROR_NONE) throw std::bad_alloc();  // nothing else is left to fail
   }
 
   static RTCRay single(const SingleRay& from, double t_max) {
