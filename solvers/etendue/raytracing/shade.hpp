@@ -39,7 +39,7 @@ struct Shaded {
 ///           share of it that passage() leaves; the sum is over the lights that stand before the surface. E, the
 ///           material's emission, counts as an intensity.
 /// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
-[[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator,
+[[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},
                                         const Shadows& shadows = {}, double wavelength = 0);
 
 /// Intensity that comes back along the tree's first ray.                                      @eq IU.5-2
