@@ -29,19 +29,26 @@ void read_run(const Json& run, SceneShooting& state) {
   require(!state.unshot_shares.empty(), "read_run: there are shares");
 }
 
-/// The cells of the file, in their order; true when they are those of the report.
+/// The cells of the file, in their order, and the corners of those that are pieces; true when they fit the report.
 bool read_cells(const Json& elements, AdaptiveMesh& mesh) {
   std::vector<MeshCell> cells;
+  std::vector<Polygon> pieces;
   for (const Json& element : elements) {
     const Json& at = element.at("cell");
     cells.push_back({element.at("face").get<std::size_t>(), element.at("patch").get<std::size_t>(), at.at(0).get<int>(),
                      at.at(1).get<std::int64_t>(), at.at(2).get<std::int64_t>()});
     const MeshCell& cell = cells.back();
-    if (cell.face >= mesh.faces.size() || cell.patch >= mesh.patches || cell.level > kDeepestCell) return false;
-    const bool piece = cell.level == kPiece && cell.a >= 0 && cell.a < static_cast<std::int64_t>(mesh.pieces.size());
-    if (cell.level < 0 && !piece) return false;
+    if (cell.face >= mesh.faces.size() || cell.patch >= mesh.patches || cell.halvings() > kDeepestCell) return false;
+    if (cell.level >= 0) continue;
+    if (cell.level != kPiece || cell.a != static_cast<std::int64_t>(pieces.size()) || cell.b < 0) return false;
+    std::vector<Vec3> corners;
+    for (const Json& corner : element.at("vertices")) corners.emplace_back(triple(corner));
+    auto piece = Polygon::make(std::move(corners));
+    if (!piece) return false;
+    pieces.push_back(std::move(piece).value());
   }
   mesh.cells = std::move(cells);
+  mesh.pieces = std::move(pieces);
   return true;
 }
 

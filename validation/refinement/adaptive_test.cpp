@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/meshing/shared_vertices.hpp"
@@ -177,12 +178,12 @@ TEST(AdaptiveRadiosity, AgreesWithTheFullMethodAndSurvivesPauses) {
 }
 
 // CLAIM      IU.6.7.2, IU.6.5.1: in a scene that is cut at contacts, and whose triangle is divided by size, adaptive subdivision
-//            quarters cells and leaves pieces as they are; patches and elements make up their faces; what is a patch of many
-//            elements is one polygon.
-// ORACLE     identity: areas; the pieces before and after.
+//            quarters cells and pieces alike; patches and elements make up their faces; what is a patch of many elements is one
+//            polygon; pieces are neighbours along their sides, but not across a contact.
+// ORACLE     identity: areas; a piece cut in four; neighbours by sides that pieces have in common, counted by a point beside each.
 // TOLERANCE  areas: 2^-40 of the face.
-TEST(AdaptiveRadiosity, LeavesPiecesAsTheyAre) {
-  proves({"IU.6.7.2", "IU.6.5.1"}, Oracle::identity, "areas, and pieces before and after");
+TEST(AdaptiveRadiosity, QuartersPiecesToo) {
+  proves({"IU.6.7.2", "IU.6.5.1"}, Oracle::identity, "areas, and what lies beside the sides of pieces");
   const Penumbra penumbra;
   Scene scene = penumbra.scene(4);
   scene.objects.push_back({"post", Box{{0.53, 0.21, 0.1}, Mat3::Identity(), {0.1, 0.07, 0.1}}, 1, {}});
@@ -199,20 +200,57 @@ TEST(AdaptiveRadiosity, LeavesPiecesAsTheyAre) {
     EXPECT_TRUE(near(elements[k], area, 0x1p-40 * area));
     EXPECT_TRUE(near(patches[k], area, 0x1p-40 * area));
   }
-  std::vector<std::vector<Vec3>> kept, left;
-  for (const Element& element : before.elements) {
-    if (element.cell == kNoCell) kept.push_back(element.polygon.vertices());
+  std::map<std::int64_t, int> halvings;
+  for (const MeshCell& cell : solution.mesh.cells) {
+    if (cell.level == kPiece) ++halvings[cell.b];
   }
-  for (std::size_t k = 0; k < after.elements.size(); ++k) {
-    if (solution.mesh.cells[k].level == kPiece) left.push_back(after.elements[k].polygon.vertices());
-  }
-  EXPECT_TRUE(holds(kept == left));
-  const SplitMesh all = split(solution.mesh, std::vector<bool>(solution.mesh.cells.size(), true));
-  const auto is_piece = [](const MeshCell& cell) { return cell.level == kPiece; };
-  EXPECT_EQ(std::count_if(all.mesh.cells.begin(), all.mesh.cells.end(), is_piece),
-            static_cast<std::ptrdiff_t>(kept.size()));
-  EXPECT_GT(kept.size(), 16u + 8u) << "of the sail and of the floor";
+  EXPECT_TRUE(holds(halvings[0] > 0 && halvings[2] > 0)) << halvings[0] << ' ' << halvings[1] << ' ' << halvings[2];
   EXPECT_GT(floor_elements(solution), 60u);
+
+  // Of each side of a piece, the element that a point beside its middle is in: its neighbour, unless a contact lies between.
+  std::set<std::pair<std::size_t, std::size_t>> told;
+  for (const auto& [first, second] : neighbours(solution.mesh)) told.emplace(first, second);
+  std::uint64_t wrong = 0, sides = 0, across = 0;
+  for (std::size_t k = 0; k < after.elements.size(); ++k) {
+    if (solution.mesh.cells[k].level != kPiece) continue;
+    const Polygon& own = after.elements[k].polygon;
+    const auto& v = own.vertices();
+    for (std::size_t s = 0; s < v.size(); ++s) {
+      const Vec3 side = v[(s + 1) % v.size()] - v[s], middle = v[s] + 0.4375 * side;
+      const Vec3 beside = middle + 1e-7 * side.cross(own.normal()).normalized();
+      const auto holds_point = [&](const Element& element) {
+        if (element.face != after.elements[k].face) return false;
+        const auto& w = element.polygon.vertices();
+        for (std::size_t c = 0; c < w.size(); ++c) {
+          if (own.normal().dot((w[(c + 1) % w.size()] - w[c]).cross(beside - w[c])) <= 0) return false;
+        }
+        return true;
+      };
+      const auto found = std::find_if(after.elements.begin(), after.elements.end(), holds_point);
+      if (found == after.elements.end()) continue;
+      const auto other = static_cast<std::size_t>(found - after.elements.begin());
+      const bool crosses = std::any_of(after.contacts.begin(), after.contacts.end(), [&](const Contact& contact) {
+        const Vec3 way = contact.segment.to - contact.segment.from, to = middle - contact.segment.from;
+        const double t = way.dot(to) / way.squaredNorm();
+        return contact.face == found->face && t > 0 && t < 1 && way.cross(to).norm() < 1e-9 * way.norm();
+      });
+      ++sides;
+      across += crosses;
+      wrong += (told.count({std::min(k, other), std::max(k, other)}) > 0) == crosses;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, sides));
+  EXPECT_TRUE(holds(across >= 8 && sides > 100)) << across << ' ' << sides;
+
+  const SplitMesh all = split(solution.mesh, std::vector<bool>(solution.mesh.cells.size(), true));
+  std::vector<double> parts(solution.mesh.cells.size(), 0);
+  const ElementMesh divided = *elements_of(all.mesh);
+  for (std::size_t k = 0; k < all.parents.size(); ++k) parts[all.parents[k]] += divided.elements[k].polygon.area();
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const double area = after.elements[k].polygon.area();
+    EXPECT_TRUE(near(parts[k], area, 0x1p-40 * area));
+  }
+  EXPECT_TRUE(holds(10 * all.mesh.cells.size() > 39 * solution.mesh.cells.size()));
 }
 
 /// Does a box of the room lie between two points? By slabs.

@@ -108,6 +108,31 @@ TEST(Convergence, IsOfOrderOneHalfAcrossAPartitionAndOneAlongIt) {
   EXPECT_TRUE(near(std::log2(along[4] / along[16]) / 4, 1, 0.05));
 }
 
+// CLAIM      IU.6.7.2, IU.6.5.1: elements that were cut along the foot of a partition are quartered like others: quartered everywhere
+//            until sides are h, a cut mesh errs like one that begins with sides of h.
+// ORACLE     closed form: h √(mean |∇B|²/12) on the lit side, as above.
+// TOLERANCE  relatively the side of the coarse elements: pieces along the foot are narrower, those of the fine mesh other ones.
+TEST(Convergence, IsThatOfTheFineMeshWhereCutElementsAreQuartered) {
+  proves({"IU.6.7.2", "IU.6.5.1"}, Oracle::closed_form, "h² mean |∇B|²/12 on the lit side");
+  Penumbra penumbra;
+  penumbra.lamp = {0.5, 0.9, 0.25, 0.75};
+  penumbra.plate = {-3, -2, -3, -2};
+  const Field truth = [&](double x, double y) { return x < 1.0 / 3 ? 0 : penumbra.radiosity(x, y); };
+  const double smooth = mean_over_floor([&](double x, double y) {
+    return x < 1.0 / 3 ? 0 : square_of_gradient([&](double a, double b) { return penumbra.radiosity(a, b); }, x, y);
+  });
+  Scene scene = penumbra.scene(4);
+  const double x = 1.0 / 3;
+  scene.objects.back() = {"partition", quadrilateral({x, -1, 0}, {x, 2, 0}, {x, 2, 2}, {x, -1, 2}), 1, {}};
+  scene.align_mesh = true;
+  for (const int levels : {1, 2}) {
+    // Any difference is too much: all of the lit side is quartered, on the dark side nothing.
+    const double h = 0.25 / (1 << levels), m = kPoints * h;
+    const double square = square_error(scene, adapted(scene, {1e-7, levels, 100'000}), truth);
+    EXPECT_TRUE(near(std::sqrt(square), h * std::sqrt(smooth / 12 * (1 - 1 / (m * m))), 0.25 * std::sqrt(square)));
+  }
+}
+
 // CLAIM      IU.6.7.2: elements that are quartered keep the grading of their face: after any number of halvings their sides lie on the
 //            lines that so many more rows and columns would have.
 // ORACLE     closed form: line k of n at (1 − g) u + g (1 − cos πu)/2, u = k/n, written out here.

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "etendue/meshing/contacts.hpp"
 #include "etendue/meshing/division.hpp"
 #include "etendue/meshing/grading.hpp"
 
@@ -72,7 +73,7 @@ class Directory {
 constexpr std::array<std::pair<int, int>, 4> kSides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 bool can_split(const AdaptiveMesh& mesh, const MeshCell& cell) {
-  return mesh.grids[cell.face].divisible && cell.level != kPiece && cell.level < kDeepestCell;
+  return (mesh.grids[cell.face].divisible || cell.level == kPiece) && cell.halvings() < kDeepestCell;
 }
 
 /// Also names the larger neighbours of what is to be split, until none is left.
@@ -102,6 +103,77 @@ Vec3 corner(const std::vector<Vec3>& v, const AdaptiveMesh::Grid& grid, int leve
   const double s = division_line(a, std::int64_t{grid.columns} << level, grid.grading);
   const double t = division_line(b, std::int64_t{grid.rows} << level, grid.grading);
   return (1 - t) * ((1 - s) * v[0] + s * v[1]) + t * ((1 - s) * v[3] + s * v[2]);
+}
+
+/// A piece cut through its centroid, along its face's first edge and across it.
+std::vector<CutPiece> quarters(const Polygon& piece, const Polygon& face, double touching) {
+  const Vec3 along = (face.vertices()[1] - face.vertices()[0]).normalized(), across = face.normal().cross(along);
+  double reach = 0;
+  for (const Vec3& v : piece.vertices()) reach = std::max(reach, (v - piece.centroid()).norm());
+  const auto through = [&](const Vec3& way) {
+    return Segment{piece.centroid() - 2 * reach * way, piece.centroid() + 2 * reach * way};
+  };
+  const std::array<Segment, 2> lines{through(along), through(across)};
+  return cut_along({&piece, 1}, face.normal(), lines, touching);
+}
+
+double touching_of(const AdaptiveMesh& mesh) {
+  ElementMesh faces;
+  faces.faces = mesh.faces;
+  return touching_distance(faces);
+}
+
+double distance(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const double t = std::clamp(way.dot(point - from) / way.squaredNorm(), 0.0, 1.0);
+  return (point - from - t * way).norm();
+}
+
+/// Do two polygons of a plane share more of a side than a point, and not along one of these segments only?
+bool share_a_side(const Polygon& one, const Polygon& other, const std::vector<Segment>& apart, double touching) {
+  const std::vector<Vec3>&v = one.vertices(), &w = other.vertices();
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Vec3 &a = v[i], side = v[(i + 1) % v.size()] - a;
+    const double length = side.norm();
+    for (std::size_t j = 0; j < w.size(); ++j) {
+      const Vec3 from = w[(j + 1) % w.size()] - a, to = w[j] - a;  // the neighbour's sides run the other way
+      if (from.cross(side).norm() > touching * length || to.cross(side).norm() > touching * length) continue;
+      const double low = std::max(0.0, from.dot(side) / length), high = std::min(length, to.dot(side) / length);
+      if (high - low <= touching) continue;
+      const Vec3 middle = a + (low + high) / 2 / length * side;
+      const auto lies_on = [&](const Segment& line) { return distance(middle, line.from, line.to) <= touching; };
+      if (std::none_of(apart.begin(), apart.end(), lies_on)) return true;
+    }
+  }
+  return false;
+}
+
+/// Adds the pairs of which one at least is a piece.
+void add_pieces(const AdaptiveMesh& mesh, std::vector<Neighbours>& pairs) {
+  const auto made = elements_of(mesh);
+  if (!made) return;  // no mesh that was solved
+  const double touching = touching_of(mesh);
+  std::vector<std::vector<std::size_t>> members(mesh.faces.size());
+  std::vector<double> reach;
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    const Polygon& polygon = made->elements[k].polygon;
+    members[mesh.cells[k].face].push_back(k);
+    reach.push_back(touching);
+    for (const Vec3& v : polygon.vertices()) reach[k] = std::max(reach[k], (v - polygon.centroid()).norm() + touching);
+  }
+  std::vector<std::vector<Segment>> apart(mesh.faces.size());
+  for (const Contact& contact : mesh.contacts) apart[contact.face].push_back(contact.segment);
+  for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+    if (mesh.cells[k].level != kPiece) continue;
+    const std::size_t face = mesh.cells[k].face;
+    const Polygon& own = made->elements[k].polygon;
+    for (const std::size_t other : members[face]) {
+      if (other == k || (mesh.cells[other].level == kPiece && other < k)) continue;  // once
+      const Polygon& its = made->elements[other].polygon;
+      if ((own.centroid() - its.centroid()).norm() > reach[k] + reach[other]) continue;
+      if (share_a_side(own, its, apart[face], touching)) pairs.push_back({std::min(k, other), std::max(k, other)});
+    }
+  }
 }
 
 }  // namespace
@@ -165,15 +237,32 @@ Result<ElementMesh> elements_of(const AdaptiveMesh& mesh) {
 SplitMesh split(const AdaptiveMesh& mesh, std::vector<bool> which) {
   require(which.size() == mesh.cells.size(), "split: yes or no for each cell");
   keep_balanced(mesh, which);
-  SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches, mesh.pieces, mesh.contacts}, {}};
+  SplitMesh result{{mesh.faces, mesh.grids, {}, mesh.patches, {}, mesh.contacts}, {}};
+  const double touching = mesh.pieces.empty() ? 0 : touching_of(mesh);
+  const auto add_piece = [&](const MeshCell& of, Polygon polygon, std::int64_t halvings) {
+    const auto index = static_cast<std::int64_t>(result.mesh.pieces.size());
+    result.mesh.cells.push_back({of.face, of.patch, kPiece, index, halvings});
+    result.mesh.pieces.push_back(std::move(polygon));
+  };
   for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
     const MeshCell& cell = mesh.cells[k];
-    for (std::int64_t part = 0; part < (which[k] ? 4 : 1); ++part) {
-      result.mesh.cells.push_back(
-          which[k] ? MeshCell{cell.face, cell.patch, cell.level + 1, 2 * cell.a + part % 2, 2 * cell.b + part / 2}
-                   : cell);
-      result.parents.push_back(k);
+    if (cell.level == kPiece) {
+      const Polygon& piece = mesh.pieces[static_cast<std::size_t>(cell.a)];
+      if (!which[k]) {
+        add_piece(cell, piece, cell.b);
+      } else {
+        for (CutPiece& part : quarters(piece, mesh.faces[cell.face].polygon, touching)) {
+          add_piece(cell, std::move(part.polygon), cell.b + 1);
+        }
+      }
+    } else {
+      for (std::int64_t part = 0; part < (which[k] ? 4 : 1); ++part) {
+        result.mesh.cells.push_back(
+            which[k] ? MeshCell{cell.face, cell.patch, cell.level + 1, 2 * cell.a + part % 2, 2 * cell.b + part / 2}
+                     : cell);
+      }
     }
+    result.parents.resize(result.mesh.cells.size(), k);
   }
   return result;
 }
@@ -188,6 +277,7 @@ std::vector<Neighbours> neighbours(const AdaptiveMesh& mesh) {
       }
     }
   }
+  if (!mesh.pieces.empty()) add_pieces(mesh, pairs);
   return pairs;
 }
 

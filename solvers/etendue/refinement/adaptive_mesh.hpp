@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// Level of an element that is no cell of a grid: it stays as it is, and a is its index in AdaptiveMesh::pieces.
+/// Level of an element that is no cell of a grid: a is its index in AdaptiveMesh::pieces, b how often it was halved.
 inline constexpr int kPiece = -1;
 
 /// An element of a subdivided face: the quadrilateral s in [a, a+1]/(columns·2^level), t in [b, b+1]/(rows·2^level).
@@ -18,6 +18,8 @@ struct MeshCell {
   std::size_t patch = 0;  ///< it is a part of this one
   int level = 0;          ///< how often it was halved, or kPiece
   std::int64_t a = 0, b = 0;
+
+  std::int64_t halvings() const { return level == kPiece ? b : level; }
 };
 inline bool operator==(const MeshCell& x, const MeshCell& y) {
   return x.face == y.face && x.patch == y.patch && x.level == y.level && x.a == y.a && x.b == y.b;
@@ -28,7 +30,7 @@ inline constexpr int kDeepestCell = 16;
 
 /// Faces divided into cells of different sizes: a quadtree on each cell of the objects' subdivision.  @eq IU.6.7.2
 struct AdaptiveMesh {
-  /// How a face was divided to begin with. Undivided faces that are no quadrilaterals are one cell for ever.
+  /// How a face was divided to begin with.
   struct Grid {
     int columns = 1, rows = 1;
     bool divisible = false;
@@ -38,7 +40,7 @@ struct AdaptiveMesh {
   std::vector<Grid> grids;      ///< one a face
   std::vector<MeshCell> cells;  ///< those of a patch follow one another
   std::size_t patches = 0;
-  std::vector<Polygon> pieces = {};    ///< elements that were cut, or that divide what is no quadrilateral
+  std::vector<Polygon> pieces = {};    ///< elements that are no cells, in the order of their cells: convex
   std::vector<Contact> contacts = {};  ///< as of the ElementMesh
 };
 
@@ -55,7 +57,9 @@ struct AdaptiveMesh {
 [[nodiscard]] Result<ElementMesh> elements_of(const AdaptiveMesh& mesh);
 
 /// Quarters the cells that are named, in place, and then larger neighbours on the same face until levels differ by one at
-/// most (a restricted quadtree: Baum and others 1991). What cannot be divided, or is kDeepestCell deep, stays.
+/// most (a restricted quadtree: Baum and others 1991). What cannot be divided, or is kDeepestCell deep, stays. Pieces are cut
+/// through their centroids, along the first edge of their face and across it, whatever their neighbours' levels; what is too
+/// narrow for that counts as halved all the same.
 ///
 /// Returns   the mesh, and of each of its cells the cell it was cut from
 struct SplitMesh {
@@ -64,7 +68,8 @@ struct SplitMesh {
 };
 [[nodiscard]] SplitMesh split(const AdaptiveMesh& mesh, std::vector<bool> which);
 
-/// Pairs of cells of a face that share more than a point of their sides, each pair once, first < second.
+/// Pairs of cells of a face that share more than a point of their sides, each pair once, first < second. Pieces on the two sides
+/// of a contact are none: light may change abruptly there, whatever their size.
 struct Neighbours {
   std::size_t first, second;
 };

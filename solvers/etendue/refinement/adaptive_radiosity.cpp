@@ -65,7 +65,7 @@ SplitMesh next_mesh(const Scene& scene, AdaptiveSolution& solution, const Adapti
   const auto radiosity = radiosities(scene, solution.model, emissions_of(scene, solution.model), solution.state);
   SplitMesh parts = split(solution.mesh, too_steep(solution.mesh, scene, radiosity, goal));
   solution.truncated = parts.mesh.cells.size() > goal.most_elements;
-  if (solution.truncated) parts.mesh.cells = solution.mesh.cells;
+  if (solution.truncated) parts.mesh = solution.mesh;
   return parts;
 }
 
@@ -165,9 +165,9 @@ std::vector<bool> too_steep(const AdaptiveMesh& mesh, const Scene& scene, const 
   for (const auto& [first, second] : neighbours(mesh)) {
     if (!((radiosity[first] - radiosity[second]).abs() > limit).any()) continue;
     // Of two sizes the larger: what it hides may be all there is.
-    const int level = std::min(mesh.cells[first].level, mesh.cells[second].level);
+    const std::int64_t level = std::min(mesh.cells[first].halvings(), mesh.cells[second].halvings());
     for (const std::size_t k : {first, second}) {
-      steep[k] = steep[k] || (mesh.cells[k].level == level && level < goal.most_levels);
+      steep[k] = steep[k] || (mesh.cells[k].halvings() == level && level < goal.most_levels);
     }
   }
   return steep;
