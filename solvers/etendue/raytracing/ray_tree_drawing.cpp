@@ -114,24 +114,26 @@ std::string to_svg(const RayTree& tree, const Scene& scene) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" + number(height) +
       "\" viewBox=\"0 0 " + number(width) + " " + number(height) +
       "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  // Words stand on a white edge, over all lines.
+  svg += "<style>text { paint-order: stroke; stroke: white; stroke-width: 4px }</style>\n";
   const Point eye{at(0).x, kTop};
-  svg += text_at({eye.x, eye.y - 10}, "eye", "middle");
+  std::string words = text_at({eye.x, eye.y - 10}, "eye", "middle");
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const RayNode& node = tree.nodes[i];
     const Point from = node.parent == RayNode::kNone ? eye : at(node.parent), to = at(i);
     const bool dashed = node.kind == RayKind::transmitted;
     svg += "<line x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) + "\" x2=\"" + number(to.x) + "\" y2=\"" +
            number(to.y) + "\" stroke=\"#444\"" + (dashed ? " stroke-dasharray=\"6 4\"" : "") + "/>\n";
-    // two thirds down, so that the labels of siblings stand apart
-    const Point label{from.x + 0.66 * (to.x - from.x) + 4, from.y + 0.66 * (to.y - from.y)};
-    svg += text_at(label, names[i] + " " + rounded(node.weight, 4), "start");
     if (node.end == RayEnd::surface) {
       svg += "<circle cx=\"" + number(to.x) + "\" cy=\"" + number(to.y) + "\" r=\"" + number(kRadius) +
              "\" fill=\"#9cf\" stroke=\"#444\"/>\n";
     }
-    svg += text_at({to.x, to.y + kRadius + 14}, end_label(node, scene), "middle");
+    // two thirds down, so that the labels of siblings stand apart
+    const Point label{from.x + 0.66 * (to.x - from.x) + 4, from.y + 0.66 * (to.y - from.y)};
+    words += text_at(label, names[i] + " " + rounded(node.weight, 4), "start");
+    words += text_at({to.x, to.y + kRadius + 14}, end_label(node, scene), "middle");
   }
-  return svg + "</svg>\n";
+  return svg + words + "</svg>\n";
 }
 
 }  // namespace etendue
