@@ -69,7 +69,7 @@ const std::vector<Planted>& planted_errors() {
       {R"("mirror": {"k_r": 0.9})", R"("mirror": {"k_r": 0.9}, "wall": {})", 24, "/materials/wall",
        "found the key a second time, expected each key once"},
       {R"("type": "directional")", R"("type": "directonal")", 8, "/lights/1/type",
-       R"(found "directonal", expected one of "point" or "directional"; did you mean 'directional'?)"},
+       R"(found "directonal", expected one of "point", "directional", "rectangle" or "sphere"; did you mean 'directional'?)"},
       {R"("material": "glass")", R"("material": "glas")", 12, "/objects/1/material",
        R"(found "glas", expected a material of this scene; did you mean 'glass'?)"},
       {R"("radius": 30)", R"("radius": -30)", 10, "/objects/1/radius", "found -30, expected a number in (0, 1e+50]"},

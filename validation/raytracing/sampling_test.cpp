@@ -6,10 +6,13 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "etendue/core/rounding.hpp"
 #include "support/evidence.hpp"
+#include "support/process.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -134,6 +137,42 @@ TEST(Sampling, JitterReplacesAliasesByNoise) {
   EXPECT_GT(scatter, 1);  // the noise
 }
 
+// CLAIM      IU.f52, IU.f53: along an edge of slope 1/16, one uniform sample a pixel errs by a staircase, whose errors go together from pixel to
+//            pixel; one jittered sample by noise, whose errors do not: no trace of the aliasing is left.
+// ORACLE     closed form: the staircase's error is a sawtooth of 16 pixels, ((k + ½)/16 − ½); of neighbours its correlation is that of the
+//            sawtooth with itself, moved by one.
+// TOLERANCE  uniform: roundings of 4,096 products. Jittered: 5/√4096, the deviation of a sum of independent errors.
+TEST(Sampling, TurnsAStaircaseIntoNoise) {
+  proves({"IU.f52", "IU.f53", "IU.5.8.1"}, Oracle::closed_form, "correlation of a sawtooth; of noise");
+  uses_seed(8);
+  constexpr int kColumns = 512, kRows = 9, kEdge = 4;
+  // Rows kEdge to kEdge + 1 are cut by edges of the slope 1/16, a new one every 16 columns.
+  const auto depth = [](double x) { return kEdge + (x - 16 * std::floor(x / 16)) / 16; };
+  const auto correlation = [&](SamplingScheme scheme) {
+    double products = 0, squares = 0;
+    for (std::uint64_t seed = 8; seed < 16; ++seed) {
+      const Image image = sampled(by(scheme, 1, seed), kColumns, kRows, [&](double x, double y) {
+                            return grey(y < depth(x) ? 1 : 0);
+                          }).image;
+      const auto error = [&](int column) { return image.at(column, kEdge)[0] - (column % 16 + 0.5) / 16; };
+      for (int column = 0; column + 1 < kColumns; ++column) {
+        products += error(column) * error(column + 1);
+        squares += error(column) * error(column);
+      }
+    }
+    return products / squares;
+  };
+  double products = 0, squares = 0;
+  const auto tooth = [](int k) { return (k % 16 + 0.5) / 16 > 0.5 ? 1 - (k % 16 + 0.5) / 16 : -(k % 16 + 0.5) / 16; };
+  for (int k = 0; k + 1 < kColumns; ++k) {
+    products += tooth(k) * tooth(k + 1);
+    squares += tooth(k) * tooth(k);
+  }
+  EXPECT_TRUE(near(correlation(SamplingScheme::uniform), products / squares, 4096 * 8 * kUnitRoundoff));
+  EXPECT_GT(products / squares, 0.5);
+  EXPECT_TRUE(near(correlation(SamplingScheme::jittered), 0, 5 / std::sqrt(4096.0)));
+}
+
 // CLAIM      IU.5.8.1: of N × N jittered samples one lies in each of N × N equal parts; another seed puts them elsewhere, the same seed not.
 // ORACLE     identity: the parts, counted.
 // TOLERANCE  none.
@@ -203,6 +242,20 @@ struct Quartering {
   }
 };
 
+/// The samples over the pixels and the object of figure 47.
+std::string drawing(const Sampled& picture) {
+  std::ostringstream svg;
+  svg << "<!-- SPDX-License-Identifier: Apache-2.0 -->\n"
+      << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-0.1 -0.1 3.2 2.2\" width=\"640\">\n"
+      << "<rect x=\"-0.1\" y=\"-0.1\" width=\"3.2\" height=\"2.2\" fill=\"white\"/>\n"
+      << "<path d=\"M0 1.4L3 0.2V2H0Z\" fill=\"#ccc\"/>\n"
+      << "<path d=\"M0 0H3V2H0ZM1 0V2M2 0V2M0 1H3\" fill=\"none\" stroke=\"black\" stroke-width=\"0.01\"/>\n";
+  for (const auto& [place, times] : picture.looks)
+    svg << "<circle cx=\"" << place.first << "\" cy=\"" << place.second << "\" r=\"0.03\"/>\n";
+  svg << "</svg>\n";
+  return svg.str();
+}
+
 // CLAIM      IU.f48, IU.5.8.2: 3 × 2 pixels with three levels are 117 rays where all corners differ; along the edge of figure 47 only
 //            those that it needs, each once, shared between levels, pixels and rows, whichever row comes first.
 // ORACLE     exact: (3·4 + 1)(2·4 + 1) = 117; the places of a recursion over sets, in integers.
@@ -227,6 +280,7 @@ TEST(Sampling, QuartersPixelsWhereCornersDiffer) {
   for (const auto& [x, y] : expected.places) wrong += adaptive.looks.count({x / 4.0, y / 4.0}) == 1 ? 0u : 1u;
   EXPECT_TRUE(all_agree(wrong, expected.places.size()));
   EXPECT_TRUE(holds(looks(adaptive) == 62));
+  EXPECT_TRUE(holds(read_text(source_root() / "docs" / "figure-48.svg") == drawing(adaptive))) << drawing(adaptive);
 }
 
 // CLAIM      IU.5.8.2: a pixel's value is the mean of its parts, each the mean of its four corners, weighed by area.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "etendue/core/split_mix.hpp"
 #include "etendue/core/contract.hpp"
+#include "etendue/core/split_mix.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 
 namespace etendue {

@@ -50,6 +50,15 @@ void read_gaze(const SceneNode& node, Camera& camera) {
   if (target) camera.gaze = *target - camera.eye;
 }
 
+/// A lens needs to know what is sharp.
+void read_lens(const SceneNode& node, Camera& camera) {
+  const auto lens = node.member("lens_radius"), focal = node.member("focal_distance");
+  if (lens) camera.lens_radius = lens->number(kNonNegative).value_or(0);
+  if (focal) camera.focal_distance = focal->number(kPositive).value_or(1);
+  if (camera.lens_radius > 0 && !focal)
+    lens->complain("found a lens without \"focal_distance\", expected it: how far away is sharp");
+}
+
 bool names_a_file(const std::string& name) {
   return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
@@ -75,6 +84,8 @@ std::vector<NamedCamera> read_named(const SceneNode& top, double metres_per_unit
     }
     all.push_back({name, read_camera(node)});
     all.back().camera.eye *= scale;
+    all.back().camera.lens_radius *= scale;
+    all.back().camera.focal_distance *= scale;
   }
   if (all.empty() || all.size() > kMostCameras) {
     cameras->complain("found " + std::to_string(all.size()) + " cameras, expected 1 to " +
@@ -106,6 +117,7 @@ Camera read_camera(const SceneNode& node) {
     if (degrees) camera.horizontal_half_angle = *degrees / 2 * std::numbers::pi / 180;
   }
   if (const auto resolution = node.member("resolution")) read_resolution(*resolution, camera);
+  read_lens(node, camera);
   read_gaze(node, camera);
   if (node.errors().count() > errors_before) return camera;
   if (const auto frame = camera_frame(camera); !frame) node.complain(frame.error().message);
@@ -126,7 +138,10 @@ Result<std::vector<NamedCamera>> read_cameras(const std::filesystem::path& path,
       auto file = read_scene(path);
       if (!file) return file.error();
       all.push_back({name_of(path), file->scene.camera});
-      all.back().camera.eye *= file->scene.metres_per_unit / metres_per_unit;
+      const double other = file->scene.metres_per_unit / metres_per_unit;
+      all.back().camera.eye *= other;
+      all.back().camera.lens_radius *= other;
+      all.back().camera.focal_distance *= other;
     } else if (document.root.find("cameras")) {
       all = read_named(top, metres_per_unit);
     } else {

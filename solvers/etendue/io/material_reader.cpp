@@ -92,6 +92,73 @@ void read_inside(const SceneNode& node, double scale, Material& material) {
   }
 }
 
+constexpr long kMostLightSamples = 64;  // a side: 4,096 shadow rays
+
+Vec3 point(const SceneNode& node, const char* key, double scale) {
+  const auto member = node.member(key);
+  return member ? Vec3(scale * member->vector().value_or(Vec3::Zero())) : Vec3(Vec3::Zero());
+}
+
+Vec3 unit(const SceneNode& node, const char* key, const Vec3& otherwise) {
+  const auto member = node.member(key);
+  return member ? member->direction().value_or(otherwise) : otherwise;
+}
+
+/// Across: two edges of a square must not lie along one line. The sine that directions of a few digits leave.
+constexpr double kLeastSine = 1e-6;
+
+std::optional<MaterialPattern> read_pattern(const SceneNode& node, double scale) {
+  const auto type = node.kind(pattern_types());
+  if (!node.is(type ? keys_of(*type + "_pattern") : keys_of_any({"checkerboard_pattern", "wood_pattern"})))
+    return std::nullopt;
+  MaterialPattern pattern;
+  pattern.k_d = colour(node, "k_d", kFraction, Rgb::Zero());
+  pattern.k_a = colour(node, "k_a", kFraction, pattern.k_d);
+  const Vec3 origin = point(node, "origin", scale);
+  const double size = scale * number(node, "size", kPositive, 1), ring = scale * number(node, "ring", kPositive, 1);
+  const Vec3 u = unit(node, "u", Vec3::UnitX()), v = unit(node, "v", Vec3::UnitY());
+  const Vec3 axis = unit(node, "axis", Vec3::UnitZ());
+  if (!type) return std::nullopt;
+  if (*type == "checkerboard" && !(u.cross(v).norm() > kLeastSine)) {
+    node.complain("found \"u\" along \"v\", expected the directions of two edges of a square");
+  }
+  if (*type == "checkerboard") {
+    pattern.pattern = Checkerboard{origin, u, v, size};
+  } else {
+    pattern.pattern = Wood{origin, axis, ring};
+  }
+  return pattern;
+}
+
+int read_samples(const SceneNode& node) {
+  const auto member = node.member("samples");
+  const auto samples = member ? member->integer(1, kMostLightSamples) : std::nullopt;
+  return samples ? static_cast<int>(*samples) : RectangleLight{}.samples;
+}
+
+std::optional<Light> read_rectangle_light(const SceneNode& node, const Placement& placement, const Rgb& intensity) {
+  const auto vector = [&](const char* key) {
+    const auto member = node.member(key);
+    return member ? member->vector() : std::nullopt;
+  };
+  const auto corner = vector("corner"), u = vector("u"), v = vector("v");
+  if (!corner || !u || !v) return std::nullopt;
+  if (!(u->cross(*v).norm() > kLeastSine * u->norm() * v->norm())) {
+    node.complain("found \"u\" along \"v\", expected the edges of a rectangle");
+    return std::nullopt;
+  }
+  return Light(RectangleLight{placement.point(*corner), placement.vector(*u), placement.vector(*v), intensity,
+                              read_samples(node)});
+}
+
+std::optional<Light> read_sphere_light(const SceneNode& node, const Placement& placement, const Rgb& intensity) {
+  const auto centre = node.member("centre");
+  const auto place = centre ? centre->vector() : std::nullopt;
+  const double radius = number(node, "radius", kPositive, 1);
+  if (!place) return std::nullopt;
+  return Light(SphereLight{placement.point(*place), placement.scale * radius, intensity, read_samples(node)});
+}
+
 }  // namespace
 
 Material read_material(const SceneNode& node, const std::string& name, double scale) {
@@ -107,6 +174,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   read_inside(node, scale, material);
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
+  if (const auto pattern = node.member("pattern")) material.pattern = read_pattern(*pattern, scale);
   if (material.k_r + material.k_t > 1) {
     node.complain("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) +
                   ", expected at most 1: the rays that go on would bring more than arrives");
@@ -119,10 +187,13 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
 
 std::optional<Light> read_light(const SceneNode& node, const Placement& placement) {
   const auto type = node.kind(light_types());
-  if (!node.is(type ? keys_of(*type + "_light") : keys_of_any({"point_light", "directional_light"})))
+  if (!node.is(type ? keys_of(*type + "_light")
+                    : keys_of_any({"point_light", "directional_light", "rectangle_light", "sphere_light"})))
     return std::nullopt;
   const auto intensity_node = node.member("intensity");
   const auto intensity = intensity_node ? intensity_node->colour(kNonNegative) : std::nullopt;
+  if (type == "rectangle") return read_rectangle_light(node, placement, intensity.value_or(Rgb::Zero()));
+  if (type == "sphere") return read_sphere_light(node, placement, intensity.value_or(Rgb::Zero()));
   // Of a light of unknown type both are read, for their errors.
   const auto position_node = node.member("position"), direction_node = node.member("direction");
   const auto position = position_node && type != "directional" ? position_node->vector() : std::nullopt;

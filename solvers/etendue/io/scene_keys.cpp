@@ -34,15 +34,21 @@ const std::vector<KeySet>& scene_key_sets() {
        {"format", "version", "unit"},
        {"$schema", "comment", "name", "include", "camera", "background", "ambient", "align_mesh", "materials", "lights",
         "objects"}},
-      {"camera", {"eye", "up", "horizontal_fov_deg", "resolution"}, {"comment", "look_at", "gaze"}},
+      {"camera",
+       {"eye", "up", "horizontal_fov_deg", "resolution"},
+       {"comment", "look_at", "gaze", "lens_radius", "focal_distance"}},
       {"material",
        {},
        {"comment", "k_d", "k_a", "k_s", "n", "k_r", "k_t", "eta", "fresnel", "dispersion", "absorption", "priority",
-        "rho", "emission"}},
+        "rho", "emission", "pattern"}},
       {"cauchy", {"a"}, {"comment", "b", "c"}},
       {"sellmeier", {"strength", "resonance"}, {"comment"}},
+      {"checkerboard_pattern", {"type", "k_d", "size"}, {"comment", "k_a", "origin", "u", "v"}},
+      {"wood_pattern", {"type", "k_d", "ring"}, {"comment", "k_a", "origin", "axis"}},
       {"point_light", {"type", "position", "intensity"}, {"comment"}},
       {"directional_light", {"type", "direction", "intensity"}, {"comment"}},
+      {"rectangle_light", {"type", "corner", "u", "v", "intensity"}, {"comment", "samples"}},
+      {"sphere_light", {"type", "centre", "radius", "intensity"}, {"comment", "samples"}},
       shape("sphere", {"centre", "radius"}),
       shape("polygon", {"vertices"}, {"holes"}),
       shape("triangle", {"vertices"}),
@@ -88,8 +94,13 @@ const Keys& object_types() {
   return types;
 }
 
+const Keys& pattern_types() {
+  static const Keys types{"checkerboard", "wood"};
+  return types;
+}
+
 const Keys& light_types() {
-  static const Keys types{"point", "directional"};
+  static const Keys types{"point", "directional", "rectangle", "sphere"};
   return types;
 }
 

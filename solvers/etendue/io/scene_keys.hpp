@@ -25,8 +25,9 @@ const KeySet& keys_of(const std::string& name);
 /// What an object may have that is one of these kinds, but which is not known: all their keys, "type" alone mandatory.
 KeySet keys_of_any(const std::vector<std::string>& names);
 
-/// The values of "type" of objects and of lights.
+/// The values of "type" of objects, of lights and of patterns.
 const std::vector<std::string>& object_types();
 const std::vector<std::string>& light_types();
+const std::vector<std::string>& pattern_types();
 
 }  // namespace etendue

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/raytracing/camera_rays.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "etendue/core/contract.hpp"
 
 namespace etendue {
@@ -12,12 +15,32 @@ PicturePoint picture_point(const Camera& camera, int column, int row, double acr
   return {(column + across) / camera.columns, (j + (1 - down)) / camera.rows};
 }
 
+namespace {
+
+Vec3 towards_view_plane(const CameraFrame& frame, const PicturePoint& point) {
+  return frame.forward + (2 * point.x - 1) * frame.tan_horizontal * frame.right +
+         (2 * point.y - 1) * frame.tan_vertical * frame.up;
+}
+
+}  // namespace
+
 Ray eye_ray(const CameraFrame& frame, const PicturePoint& point) {
-  const Vec3 p = frame.forward + (2 * point.x - 1) * frame.tan_horizontal * frame.right +
-                 (2 * point.y - 1) * frame.tan_vertical * frame.up;
+  const Vec3 p = towards_view_plane(frame, point);
   Ray ray;
   ray.origin = frame.eye;
   ray.direction = p.normalized();
+  return ray;
+}
+
+Ray sample_ray(const Camera& camera, const CameraFrame& frame, const PicturePoint& point, const SampleKey& key) {
+  Ray ray = eye_ray(frame, point);
+  if (camera.lens_radius > 0) {
+    const double out = camera.lens_radius * std::sqrt(key.number(sample_number::kLensOut));
+    const double turn = 2 * std::numbers::pi * key.number(sample_number::kLensTurn);
+    const Vec3 from = out * (std::cos(turn) * frame.right + std::sin(turn) * frame.up);
+    ray.origin = frame.eye + from;
+    ray.direction = (camera.focal_distance * towards_view_plane(frame, point) - from).normalized();
+  }
   return ray;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "etendue/geometry/ray.hpp"
+#include "etendue/raytracing/sample_key.hpp"
 #include "etendue/scene/camera_frame.hpp"
 
 namespace etendue {
@@ -30,6 +31,17 @@ struct PicturePoint {
 /// Symbols   E eye, S point of the view plane, d its distance from the eye (it cancels in D), X, Y, G the camera's
 /// frame Returns   origin E, direction D, a unit vector to 2 ulp, over the open half-line t > 0
 [[nodiscard]] Ray eye_ray(const CameraFrame& frame, const PicturePoint& point);
+
+/// The ray of one sample through a thin lens; eye_ray() for a pinhole.
+///
+///     O = E + ρ (q_x X + q_y Y),   F = E + f P,   D = (F − O)/|F − O|
+///
+/// Symbols   E, G, X, Y of eye_ray(), P its direction before it is made a unit vector, so F lies in the plane f before the eye; ρ
+///           the lens's radius, f the focal distance; q a point of the unit disc from the key: √a (cos 2πb, sin 2πb)
+/// Returns   what lies in the plane of F is sharp; a point at the distance z along the gaze is spread over a disc of radius
+///           ρ |z − f|/f in the plane at z
+[[nodiscard]] Ray sample_ray(const Camera& camera, const CameraFrame& frame, const PicturePoint& point,
+                             const SampleKey& key);
 
 /// The virtual screen: a rectangle [left, right] × [bottom, top] in the plane n = distance of the viewing frame
 /// (u, v, n) = (X, Y, G) [length].

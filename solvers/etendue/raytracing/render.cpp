@@ -156,7 +156,7 @@ class RowPipeline {
   Look looking(RenderCounts& counts) {
     return [this, &counts](double x, double y, const SampleKey& key) {
       const PicturePoint point{x / camera_.columns, (camera_.rows - y) / camera_.rows};
-      const Seen seen = see(eye_ray(frame_, point), accelerator_, options_, around_, key);
+      const Seen seen = see(sample_ray(camera_, frame_, point, key), accelerator_, options_, around_, key);
       counts += seen.counts;
       return Glimpse{seen.colour, seen.tree_depth};
     };

@@ -21,7 +21,7 @@ struct PixelWindow {
 enum class PictureFact {
   depth,       ///< along the ray through the pixel's centre, the distance from the eye; 0 where it meets nothing
   normal,      ///< there, the surface's unit normal on the viewer's side, x, y, z in the scene; 0 where there is none
-  albedo,      ///< there, k_d
+  albedo,      ///< there, k_d, with its pattern
   object,      ///< there, the index of the object; −1 where there is none
   samples,     ///< number of samples on which the pixel rests, but for what a filter takes from the neighbours
   tree_depth,  ///< greatest level of a ray that was followed for these

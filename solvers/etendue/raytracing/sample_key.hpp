@@ -21,10 +21,11 @@ struct SampleKey {
 
 /// Numbers of a sample, by what they decide.
 namespace sample_number {
-inline constexpr std::uint64_t kAcross = 0, kDown = 1;  ///< its place in the pixel
-inline constexpr std::uint64_t kStratum = 2;            ///< which part of the pixel is looked at first
-inline constexpr std::uint64_t kShade = 5;              ///< part of the key that surfaces and lights draw from
-inline constexpr std::uint64_t kWavelength = 6;         ///< where in each part of the visible light its wavelength lies
+inline constexpr std::uint64_t kAcross = 0, kDown = 1;       ///< its place in the pixel
+inline constexpr std::uint64_t kStratum = 2;                 ///< which part of the pixel is looked at first
+inline constexpr std::uint64_t kLensOut = 3, kLensTurn = 4;  ///< where the ray leaves the lens
+inline constexpr std::uint64_t kShade = 5;                   ///< part of the key that surfaces and lights draw from
+inline constexpr std::uint64_t kWavelength = 6;  ///< where in each part of the visible light its wavelength lies
 }  // namespace sample_number
 
 /// The key of sample `index` of the pixel in `column` and `row`.

@@ -76,7 +76,7 @@ struct SampledRow {
   };
   int row = 0;
   ColumnSpan columns;
-  std::vector<Glimpse> first;         ///< adaptive_jittered: the first sample of each pixel
+  std::vector<Glimpse> first;      ///< adaptive_jittered: the first sample of each pixel
   std::vector<ImageSample> at;     ///< … and what it counts as, while the pixel has no other
   std::vector<Point> top, bottom;  ///< adaptive: what was seen along the row's edges, at the corners of its N × N parts
   FilterRow light;

@@ -5,6 +5,7 @@
 
 #include "etendue/geometry/spawn.hpp"
 #include "etendue/optics/absorption.hpp"
+#include "etendue/raytracing/area_light.hpp"
 #include "etendue/reflectance/local.hpp"
 
 namespace etendue {
@@ -15,13 +16,24 @@ const Rgb& intensity(const Light& light) {
   return std::visit([](const auto& each) -> const Rgb& { return each.intensity; }, light);
 }
 
+Vec3 middle(const Light& light) {
+  if (const auto* rectangle = std::get_if<RectangleLight>(&light))
+    return rectangle->corner + (rectangle->u + rectangle->v) / 2;
+  if (const auto* sphere = std::get_if<SphereLight>(&light)) return sphere->centre;
+  return std::get<PointLight>(light).position;
+}
+
+bool has_area(const Light& light) {
+  return std::holds_alternative<RectangleLight>(light) || std::holds_alternative<SphereLight>(light);
+}
+
 }  // namespace
 
 LightSample towards(const Light& light, const Vec3& point) {
   if (const auto* directional = std::get_if<DirectionalLight>(&light)) {
     return {directional->direction, std::numeric_limits<double>::infinity()};
   }
-  const Vec3 way = std::get<PointLight>(light).position - point;
+  const Vec3 way = middle(light) - point;
   return {way.stableNormalized(), way.stableNorm()};
 }
 
@@ -37,8 +49,15 @@ Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
   return ray;
 }
 
-Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey&, const Shadows& shadows,
-                          double wavelength) {
+SurfaceColour colour_at(const Material& material, const Vec3& point) {
+  if (!material.pattern) return {material.k_d, material.k_a};
+  const double share = second_share(material.pattern->pattern, point);
+  return {(1 - share) * material.k_d + share * material.pattern->k_d,
+          (1 - share) * material.k_a + share * material.pattern->k_a};
+}
+
+Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key,
+                          const Shadows& shadows, double wavelength) {
   const SceneHit& met = *node.hit;
   const Scene& scene = accelerator.scene();
   const Material& material = scene.materials[scene.objects[met.object].material];
@@ -47,17 +66,26 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
 
   Shaded result;
   std::vector<IncidentLight> arriving;
-  const bool returns_light = (material.k_d != 0).any() || material.k_s != 0;
-  for (const Light& light : scene.lights) {
+  const SurfaceColour colour = colour_at(material, met.hit.point);
+  const bool returns_light = (colour.k_d != 0).any() || material.k_s != 0;
+  const auto look_for = [&](const Light& light) {
     const LightSample sample = towards(light, met.hit.point);
-    if (!returns_light || !(normal.dot(sample.to_light) > 0)) continue;
+    if (!(normal.dot(sample.to_light) > 0)) return;
     ++result.shadow_rays;
     const Passage way =
         passage(shadow_ray(met.hit, light, shadows.cure), {met.object, node.media, wavelength}, accelerator, shadows);
     result.tests += way.tests;
     if ((way.share > 0).any()) arriving.push_back({sample.to_light, intensity(light) * way.share, 1});
+  };
+  for (std::size_t i = 0; i < scene.lights.size() && returns_light; ++i) {
+    const Light& light = scene.lights[i];
+    if (!has_area(light)) {
+      look_for(light);
+      continue;
+    }
+    for (int part = 0; part < shadow_rays(light); ++part) look_for(light_part(light, part, key.part(i)));
   }
-  const LocalReflection surface{material.k_a, material.k_d, material.k_s, material.phong_exponent};
+  const LocalReflection surface{colour.k_a, colour.k_d, material.k_s, material.phong_exponent};
   result.colour = local_reflection(surface, normal, to_viewer, scene.ambient, arriving) + material.emission;
   return result;
 }

@@ -9,7 +9,7 @@
 
 namespace etendue {
 
-/// The unit vector from a point towards a light, and how far it is.
+/// The unit vector from a point towards a light (the middle of one with an area), and how far it is.
 struct LightSample {
   Vec3 to_light;    ///< L
   double distance;  ///< infinity for a directional light
@@ -39,8 +39,15 @@ struct Shaded {
 ///           share of it that passage() leaves; the sum is over the lights that stand before the surface. E, the
 ///           material's emission, counts as an intensity.
 /// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
+/// Of a light with an area, each of the point lights that it is (light_part()) counts so; light i draws from key.part(i).
 [[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},
                                         const Shadows& shadows = {}, double wavelength = 0);
+
+/// Diffuse and ambient reflection where a material's pattern shows what it shows.                   @eq IU.4-1
+struct SurfaceColour {
+  Rgb k_d, k_a;
+};
+[[nodiscard]] SurfaceColour colour_at(const Material& material, const Vec3& point);
 
 /// Intensity that comes back along the tree's first ray.                                      @eq IU.5-2
 ///

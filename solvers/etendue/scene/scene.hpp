@@ -20,6 +20,7 @@
 #include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/optics/dispersion.hpp"
+#include "etendue/reflectance/pattern.hpp"
 
 namespace etendue {
 
@@ -34,6 +35,14 @@ struct Camera {
   double horizontal_half_angle = 0.5;  ///< θ [rad], in (0, π/2); the vertical one follows from square pixels
   int columns = 256;
   int rows = 256;
+  double lens_radius = 0;     ///< of a thin lens at the eye [length]; 0: a pinhole, everything is sharp
+  double focal_distance = 1;  ///< along the gaze, of the plane that is sharp [length]
+};
+
+/// A second colour of a surface, and where it shows.                                                @eq IU.4-1
+struct MaterialPattern {
+  Pattern pattern;
+  Rgb k_d = Rgb::Zero(), k_a = Rgb::Zero();  ///< where the pattern shows its second colour
 };
 
 /// Everything either solver wants to know of a surface. Coefficients are fractions in [0, 1].
@@ -52,9 +61,10 @@ struct Material {
   int priority = 0;            ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
+  std::optional<MaterialPattern> pattern;  ///< for rays; radiosity takes rho
 };
 
-/// Local lights of ray tracing. Area lights are surfaces with emission.
+/// Local lights of ray tracing. Lights of radiosity are surfaces with emission.
 struct PointLight {
   Vec3 position;
   Rgb intensity;
@@ -63,7 +73,19 @@ struct DirectionalLight {
   Vec3 direction;  ///< unit vector from the scene towards the light
   Rgb intensity;
 };
-using Light = std::variant<PointLight, DirectionalLight>;
+/// Lights with an area, as N × N point lights that share the intensity, one in each of N × N equal parts.   @eq IU.2.1
+struct RectangleLight {
+  Vec3 corner, u, v;  ///< the rectangle corner + [0, 1] u + [0, 1] v
+  Rgb intensity;
+  int samples = 4;  ///< N
+};
+struct SphereLight {
+  Vec3 centre;
+  double radius;
+  Rgb intensity;
+  int samples = 4;  ///< N
+};
+using Light = std::variant<PointLight, DirectionalLight, RectangleLight, SphereLight>;
 
 using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box, Mesh, Cone, Torus, Quadric,
                            BezierSurface, PolygonWithHoles>;
