@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solve_parts.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -109,6 +110,10 @@ Result<Done> check_memory(const fs::path& scene, const MemoryNeed& need) {
 void tell_left_out(std::ostream& err, const SolutionRequest& request, const Scene& scene) {
   if (request.common.quiet) return;
   for (const std::string& line : left_out(scene)) err << "etendue solve: left out: " << line << '\n';
+  const auto emits = [&](const Object& object) { return (scene.materials[object.material].emission > 0).any(); };
+  if (std::none_of(scene.objects.begin(), scene.objects.end(), emits)) {
+    err << "etendue solve: nothing emits: every radiosity is 0\n";
+  }
 }
 
 Result<Image> drawn(const Scene& scene, const ElementMesh& mesh, const VertexRadiosities& vertices,

@@ -50,7 +50,7 @@ struct SolutionFiles {
 /// check_memory(), whose refusal names the scene.
 [[nodiscard]] Result<Done> check_memory(const std::filesystem::path& scene, const MemoryNeed& need);
 
-/// Says what radiosity leaves out of this scene, a line each.
+/// Says what radiosity leaves out of this scene, a line each, and that nothing emits where nothing does.
 void tell_left_out(std::ostream& err, const SolutionRequest& request, const Scene& scene);
 
 /// What the scene's camera sees of the radiosities; ErrorCode::stopped when the user asked for it meanwhile.

@@ -186,5 +186,33 @@ TEST(RefinedCommand, DividesAsAsked) {
   EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == bytes));
 }
 
+// CLAIM      IU.6-7: a scene in which nothing emits is solved: every radiosity is 0, and it is said, with every method; one that
+//            emits is not told so.
+// ORACLE     closed form: 0.
+// TOLERANCE  none.
+TEST(RefinedCommand, SaysWhenNothingEmits) {
+  proves({"IU.6-7"}, Oracle::closed_form, "no emission, no radiosity");
+  const TemporaryFolder folder;
+  const auto dark = folder.add("dark.json", replaced(furnace_text(), R"("emission": [1.5, 2, 1])", R"("emission": 0)"));
+  const auto bright = folder.add("bright.json", furnace_text());
+  const std::string words = "nothing emits: every radiosity is 0";
+  std::uint64_t wrong = 0, elements = 0;
+  for (const char* method : {"full", "hemicube", "progressive", "adaptive"}) {
+    const auto solved = [&](const std::filesystem::path& scene) {
+      return run_etendue({"solve", scene.string(), "--method", method, "--samples", "1", "--output",
+                          (folder.path() / "out.png").string()});
+    };
+    EXPECT_TRUE(holds(solved(bright).err.find(words) == std::string::npos)) << method;
+    const Ended ended = solved(dark);
+    EXPECT_TRUE(holds(ended.code == 0 && ended.err.find(words) != std::string::npos)) << method << ended.err;
+    const auto solution = nlohmann::json::parse(read_text(folder.path() / "out.json"));
+    for (const auto& element : solution["elements"]) {
+      wrong += element["radiosity"] != nlohmann::json::array({0, 0, 0});
+      ++elements;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, elements));
+}
+
 }  // namespace
 }  // namespace etendue::validation
