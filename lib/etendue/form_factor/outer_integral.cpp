@@ -31,8 +31,8 @@ constexpr double kTwoNodes = 8;
 /// Least quotient of the distance of the nearest singularity and the cell's radius at which rules converge fast.
 constexpr double kLeastReach = 1.25;
 constexpr int kMostNodes = 8;
-/// Of the radius: as far beside a cell's middle it is looked at. From the middle itself, in scenes on a grid, edges meet
-/// in the view that have nothing to do with one another, and no name of such a corner holds around it.
+/// Of the way to two of its corners: as far beside a cell's middle it is looked at. From the middle itself, in scenes on
+/// a grid, edges meet in the view that have nothing to do with one another, and no name of such a corner holds around it.
 constexpr double kAside = 0x1p-28;
 /// Edges that this share of the radius brings together are one but for rounding, as the edge that two plates share.
 constexpr double kDistinct = 0x1p-20;
@@ -169,9 +169,9 @@ void OuterIntegral::divide(Piece piece, int steps, double allowed, std::vector<P
 
 void OuterIntegral::survey(Piece& piece) {
   const Vec2 middle = piece.cell.centre();
+  const Vec2 centre = middle + kAside * (0.6 * (piece.cell[0] - middle) + 0.3 * (piece.cell[1] - middle));
   double radius = 0;
-  for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - middle).norm());
-  const Vec2 centre = middle + kAside * radius * Vec2(0.8, 0.6);
+  for (int i = 0; i < piece.cell.size(); ++i) radius = std::max(radius, (piece.cell[i] - centre).norm());
   piece.form = forms_.size();
   const ShadowView::Survey survey = zones_[piece.zone].view.survey(centre, forms_);
   piece.form_end = forms_.size();
@@ -250,9 +250,6 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
   const double spread = (fine.high - fine.low) * piece.cell.area();
   if (piece.formed) return;
-  // Where the nodes find less than may lie between a chord and its curve, they may have missed it.
-  constexpr double kSeen = 1e-3;
-  if (fine.high * piece.cell.area() > kSeen * piece.cut_stray) piece.cut_stray = 0;
   piece.error = std::max({piece.error, piece.cut_stray, piece.bend * spread});
   if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * spread);
 }
