@@ -52,7 +52,9 @@ TEST(DistributedRays, ThrowAPenumbra) {
     const double expected = std::asinh((1 - x) / 2) - std::asinh((from - x) / 2);
     const Shaded found = local_illumination(node, *accelerator, sample_key(1, 0, 0, 0));
     EXPECT_TRUE(near(found.colour[0], expected, kSigmas * (kEdge + kElsewhere))) << x;
-    if (x <= -1.2) EXPECT_EQ(found.colour[0], 0);
+    if (x <= -1.2) {
+      EXPECT_EQ(found.colour[0], 0);
+    }
     EXPECT_EQ(found.shadow_rays, 64u * 64);
   }
 }
@@ -116,7 +118,9 @@ TEST(DistributedRays, BlurWhatIsNotInTheSharpPlane) {
         const Ray ray = sample_ray(camera, frame, point, sample_key(2, 1, 1, i));
         const Vec3 met = ray.at((z - ray.origin.z()) / ray.direction.z());
         const double share = radius > 0 ? (met - middle).norm() / radius : 0;
-        if (radius == 0) EXPECT_TRUE(within((met - middle).norm(), 30 * 8 * kUnitRoundoff));
+        if (radius == 0) {
+          EXPECT_TRUE(within((met - middle).norm(), 30 * 8 * kUnitRoundoff));
+        }
         least = std::min(least, share);
         largest = std::max(largest, share);
       }
