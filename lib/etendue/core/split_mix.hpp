@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// The increment of SplitMix64: 2^64 over the golden ratio, odd.

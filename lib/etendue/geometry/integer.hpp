@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// A whole number of any length: what decides where doubles cannot, however far apart their exponents are.

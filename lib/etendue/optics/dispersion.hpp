@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// The light that eyes see, and that the formulas below are asked for: wavelengths in vacuum or air, which differ by less
