@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/form_factors_runs.hpp"
 #include "io/surface_texts.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
@@ -14,19 +15,6 @@
 
 namespace etendue::validation {
 namespace {
-
-std::string furnace() {
-  return (source_root() / "scenes" / "furnace" / "scene.json").string();
-}
-
-Ended form_factors(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "form-factors");
-  return run_etendue(arguments);
-}
-
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// An obstruction in the middle of the box of room_texts().
 std::string floating_plate() {

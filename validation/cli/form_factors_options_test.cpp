@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/form_factors_runs.hpp"
 #include "io/surface_texts.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
@@ -10,19 +11,6 @@
 
 namespace etendue::validation {
 namespace {
-
-std::string furnace() {
-  return (source_root() / "scenes" / "furnace" / "scene.json").string();
-}
-
-Ended form_factors(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "form-factors");
-  return run_etendue(arguments);
-}
-
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// Two squares that face one another, 1 apart, as an OBJ; and the same in a scene with a box.
 constexpr const char* kPlates =

@@ -13,25 +13,12 @@
 #include "etendue/io/placement.hpp"
 #include "etendue/io/scene_keys.hpp"
 #include "io/example_scene.hpp"
+#include "io/scene_texts.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
 namespace {
-
-/// A sound scene around these objects (and further top-level keys, each followed by a comma).
-std::string scene_of(const std::string& objects, const std::string& more = "", const std::string& unit = "m") {
-  return R"({"format": "etendue-scene", "version": 1, "unit": ")" + unit + R"(", )" + more +
-         R"("camera": {"eye": [0, -4, 0], "gaze": [0, 1, 0], "up": [0, 0, 1], "horizontal_fov_deg": 60, "resolution": [8, 6]},)"
-         R"("materials": {"a": {"k_d": [0.1, 0.2, 0.3]}}, "objects": [)" +
-         objects + "]}";
-}
-
-Scene read(const TemporaryFolder& folder, const std::string& text) {
-  auto scene = read_scene(folder.add("scene.json", text));
-  if (!scene) throw std::runtime_error(scene.error().message);
-  return scene->scene;
-}
 
 // CLAIM      What a scene file says is what the scene holds, defaults included.
 // ORACLE     exact: the documented meaning of each key, on the documented example.

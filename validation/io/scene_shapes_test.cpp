@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/io/scene_keys.hpp"
-#include "etendue/io/scene_reader.hpp"
+#include "io/scene_texts.hpp"
 #include "support/evidence.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace etendue::validation {
 namespace {
-
-/// A sound scene around these objects.
-std::string scene_of(const std::string& objects) {
-  return R"({"format": "etendue-scene", "version": 1, "unit": "m", "camera": {"eye": [0, -4, 0], "gaze": [0, 1, 0], "up": [0, 0, 1], "horizontal_fov_deg": 60, "resolution": [8, 6]},)"
-         R"("materials": {"a": {"k_d": [0.1, 0.2, 0.3]}}, "objects": [)" +
-         objects + "]}";
-}
-
-Scene read(const TemporaryFolder& folder, const std::string& text) {
-  auto scene = read_scene(folder.add("scene.json", text));
-  if (!scene) throw std::runtime_error(scene.error().message);
-  return scene->scene;
-}
 
 // CLAIM      Cones, tori, quadrics, bezier surfaces and polygons with holes stand where their transforms put them.
 // ORACLE     exact: positions worked out by hand in integers; of the quadric the points where it is zero.
