@@ -221,7 +221,7 @@ class Run {
     std::vector<std::string> remarks = buried_remark(model_, closure);
     if (request_.repair) {
       auto repair = repaired(rows, closure);
-      if (!repair) return fail(repair.error());
+      if (!repair) return fail_kept(repair.error());
       remarks.push_back(repair_remark(repair->report));
       rows = std::move(repair).value().matrix;
       closure = row_closure(rows);
@@ -235,7 +235,7 @@ class Run {
                         "; their bounds grew by what they were");
       closure = row_closure(rows);
     }
-    if (const auto written = write(rows, closure); !written) return fail(written.error());
+    if (const auto written = write(rows, closure); !written) return fail_kept(written.error());
     const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
     const MatrixReport report{
         model_,  rows,   closure, request_.method, request_.tolerance, request_.scene, request_.common.output,
@@ -297,6 +297,16 @@ class Run {
   }
 
   int missed(const std::string& what) { return fail({ErrorCode::not_converged, "tolerance not reached: " + what}); }
+
+  /// After all factors were found: they are in the checkpoint still.
+  int fail_kept(const Error& error) {
+    const int code = fail(error);
+    if (!request_.common.output.empty()) {
+      err_ << "the form factors are kept in " << printable(checkpoint_path().string())
+           << ": --resume takes them from there\n";
+    }
+    return code;
+  }
 
   int stopped(const ExchangeMatrix& elements) {
     err_ << "etendue form-factors: stopped with " << elements.tiles_done() << " of " << elements.layout().tiles()

@@ -126,6 +126,28 @@ TEST(FormFactorsCommand, PrintsOnePair) {
   EXPECT_EQ(form_factors({scene, "--pair", "1", "2", "--repair-closure"}).code, 2);
 }
 
+// CLAIM      A repair that is refused loses no factor: they stay in the checkpoint, the message says so, and --resume writes them.
+// ORACLE     exact: a single plate cannot be closed; the files, and the matrix of a run without repair.
+// TOLERANCE  none.
+TEST(FormFactorsCommand, KeepsTheFactorsOfARefusedRepair) {
+  proves({}, Oracle::exact, "the files, and the message");
+  const TemporaryFolder folder;
+  const std::string scene = folder
+                                .add("two.obj",
+                                     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nv 1 1 1\nv 1 0 1\n"
+                                     "f 1 2 3 4\nf 5 6 7 8\n")
+                                .string();
+  const std::string csv = (folder.path() / "f.csv").string(), whole = (folder.path() / "w.csv").string();
+  const Ended refused = form_factors({scene, "--repair-closure", "-o", csv});
+  EXPECT_TRUE(holds(refused.code == 4 && has(refused.err, "f.csv.checkpoint: --resume takes them from there")))
+      << refused.code << refused.err;
+  EXPECT_EQ(folder.contents(), "f.csv.checkpoint two.obj");
+  EXPECT_EQ(form_factors({scene, "--resume", "-o", csv}).code, 0);
+  EXPECT_EQ(form_factors({scene, "-o", whole}).code, 0);
+  EXPECT_TRUE(holds(read_text(csv) == read_text(whole)));
+  EXPECT_EQ(folder.contents(), "f.csv two.obj w.csv");
+}
+
 // CLAIM      A tolerance that is not reached makes exit code 4 and names the worst pair and its bound; the matrix is written
 //            all the same.
 // ORACLE     exact: nothing reaches a relative error of 1e-15 past an obstruction.
@@ -259,7 +281,7 @@ std::vector<WrongFile> wrong_files() {
        with(slow_scene(1), R"({"type": "polygon", "name": "floor")",
             R"({"type": "sphere", "name": "ball", "material": "m", "centre": [1,1,0], "radius": 0.5},
                          {"type": "polygon", "name": "floor")"),
-       ": ", "object 'ball' pierces or lies in object 'floor'"},
+       ":5:3: /objects/0: ", "object 'ball' pierces or lies in object 'floor'"},
       {"a.obj", with(obj, "f 1 2", "f 1 29"), ":11: ", "face 1, corner 2: found '29', expected a vertex in [1, 8]"},
       {"a.obj", with(obj, "v 2 1 0", "v 2 inf 0"), ":5: ", "vertex 3: found 'inf'"},
       {"a.obj", obj + "f 1 2 3\n", ":17: ", "surface 'box[7]' lies inside surface 'box[1]'"},

@@ -130,6 +130,7 @@ CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> 
   CellSum sum;
   const Rule& rule = rule_of(n);
   const int apex = singular_corner(cell, near), size = cell.size();
+  sum.apex = apex;
   const auto corner = [&](int i) -> const Vec2& { return cell[(std::max(apex, 0) + i) % size]; };
   if (apex >= 0) {
     for (int i = 1; i + 1 < size; ++i) add(view, corner(0), corner(i), corner(i + 1), corner(0), rule, sum);

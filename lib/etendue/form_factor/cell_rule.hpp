@@ -38,6 +38,7 @@ struct CellSum {
   double tail = 0;
   /// Of a cell of four corners without a collapsed one: the same along its first side, and along the next.
   std::array<double, 2> tails{};
+  int apex = -1;  ///< the corner of the cell into which triangles were collapsed
   int evaluations = 0;
 };
 

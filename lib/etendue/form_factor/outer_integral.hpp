@@ -55,8 +55,9 @@ class OuterIntegral {
     double bend = 0;   ///< what a curve that the cell was cut along by its chord leaves, as a share of the spread
     std::vector<EventCurve> curves;  ///< that may cross the cell
     std::vector<CutChord> chords;    ///< along which it was cut, of curves that may still cross it
-    double cut_stray = 0;  ///< what the form errs by between curves and the chords that the cell was cut along
-    double stray = 0;      ///< the same, and beyond the curves that cross it; nothing where no form is used
+    double cut_stray = 0;    ///< what the form errs by between curves and the chords that the cell was cut along
+    double curve_stray = 0;  ///< what the form seen from the centre errs by beyond the curves that cross the cell
+    double stray = 0;        ///< both together; nothing where no form is used
     bool told = true;      ///< that is little: the centre tells of all of the cell
     std::size_t form = 0, form_end = 0;  ///< of what is hidden, seen from the centre: in forms_
     bool formed = false;                 ///< that form holds in all of the cell
@@ -78,6 +79,7 @@ class OuterIntegral {
   void measure(Piece& piece, double share);
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
+  double peak(const Piece& piece, const CellSum& sum);
   void sample(Piece& piece);
   void halve(std::size_t index, double share);
   double sum_of_errors() const;

@@ -21,7 +21,7 @@ Result<SurfaceModel> read_scene_surfaces(const std::filesystem::path& path) {
   const auto file = read_scene(path);
   if (!file) return file.error();
   auto model = surface_model(file->scene);
-  if (!model) return Error{model.error().code, printable(path.string()) + ": " + model.error().message};
+  if (!model) return model.error();
   SurfaceModel result = std::move(model).value();
   result.hash = file->hash;
   if (const auto apart = check_overlaps(file->scene, result.mesh); !apart) return apart.error();
