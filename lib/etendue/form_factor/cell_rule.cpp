@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "etendue/form_factor/gauss_legendre.hpp"
 
@@ -13,6 +14,9 @@ namespace etendue {
 namespace {
 
 constexpr std::size_t kMost = 17;
+
+/// Nearer to a corner than this share of the way to the centre, coordinates have no digits left to tell points apart.
+constexpr double kNearestLook = 0x1p-40;
 
 /// A Gauss rule with what reads off the coefficient of the Legendre polynomial of degree n − 1.
 struct Rule {
@@ -131,6 +135,7 @@ CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> 
   const Rule& rule = rule_of(n);
   const int apex = singular_corner(cell, near), size = cell.size();
   sum.apex = apex;
+  sum.nodes = n;
   const auto corner = [&](int i) -> const Vec2& { return cell[(std::max(apex, 0) + i) % size]; };
   if (apex >= 0) {
     for (int i = 1; i + 1 < size; ++i) add(view, corner(0), corner(i), corner(i + 1), corner(0), rule, sum);
@@ -142,6 +147,33 @@ CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> 
   }
   if (size != 4) sum.tails = {};
   return sum;
+}
+
+double unseen_at_apex(const CellView& view, const Cell& cell, const CellSum& sum, double least, int& evaluations) {
+  if (sum.apex < 0) return 0;
+  struct Look {
+    double way, factor;
+  };
+  const Vec2 corner = cell[sum.apex], way = cell.centre() - corner;
+  const double first_node = 1 + gauss_legendre(sum.nodes).front().x;
+  double missed = 0;
+  Look before{}, last{};
+  int looks = 0;
+  for (double share = 1; share > kNearestLook; share /= 4) {
+    const Cell end = cell.cut(way, way.dot(corner + share * way)).below;
+    if (end.size() < 3 || !(end.area() > least)) break;
+    const Vec2 point = end.centre();
+    Look look{way.dot(point - corner), 0};
+    view.look({&point, 1}, {&look.factor, 1});
+    ++looks;
+    if (looks > 2 && share <= first_node) {
+      const double slope = (last.factor - before.factor) / (last.way - before.way);
+      missed += end.area() * std::abs(look.factor - last.factor - slope * (look.way - last.way));
+    }
+    before = std::exchange(last, look);
+  }
+  evaluations += looks;
+  return missed;
 }
 
 }  // namespace etendue

@@ -6,11 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <utility>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/chord.hpp"
-#include "etendue/form_factor/gauss_legendre.hpp"
 #include "etendue/form_factor/near_edges.hpp"
 
 namespace etendue {
@@ -53,8 +51,6 @@ constexpr double kFirstSafety = 10;
 constexpr double kRougher = 4;
 /// A cell with a larger share of error than this is halved instead of getting more nodes.
 constexpr double kSmooth = 0.2;
-/// Nearer to a corner than this share of the way to the centre, coordinates have no digits left to tell points apart.
-constexpr double kNearestLook = 0x1p-40;
 /// In a cell that a curve crosses, this share of the samples' spread, and of what the curve may uncover, is the least error
 /// believed: beyond a curve that no node lies beyond is less than the outermost 0.22 of the cell, where what it uncovers
 /// grows with the square of the distance, to 0.22³/3 = 0.004 of what the whole cell could hold.
@@ -255,44 +251,11 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   piece.tails = fine.tails;
   const double safety = piece.nodes == kLadder[1] ? kFirstSafety : kSafety;
   piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
-  piece.error = std::max(piece.error, peak(piece, fine));
+  piece.error = std::max(piece.error, kSafety * unseen_at_apex(view, piece.cell, fine, piece.error, evaluations_));
   const double spread = (fine.high - fine.low) * piece.cell.area();
   if (piece.formed) return;
   piece.error = std::max({piece.error, piece.cut_stray, piece.bend * spread});
   if (!piece.curves.empty()) piece.error = std::max(piece.error, kCurvedSpread * std::max(spread, piece.curve_stray));
-}
-
-/// What only points nearer to a corner than all nodes would tell: where an outline's corner all but touches the cell, the
-/// integrand may change by powers of ten within less than the first node's distance. The ends of the cell within a
-/// quarter, a sixteenth … of the way from the corner to the centre are looked at from their middles. What differs there
-/// from where the two before lead in a straight line, on the area of the end, is what no rule has seen.
-double OuterIntegral::peak(const Piece& piece, const CellSum& sum) {
-  if (sum.apex < 0) return 0;
-  struct Look {
-    double way, factor;
-  };
-  const CellView view = view_of(piece);
-  const Vec2 corner = piece.cell[sum.apex], way = piece.cell.centre() - corner;
-  const double first_node = 1 + gauss_legendre(piece.nodes).front().x;
-  double missed = 0;
-  Look before{}, last{};
-  int looks = 0;
-  for (double share = 1; share > kNearestLook; share /= 4) {
-    const Cell end = piece.cell.cut(way, way.dot(corner + share * way)).below;
-    if (end.size() < 3 || !(end.area() > piece.error)) break;
-    const Vec2 point = end.centre();
-    Look look{way.dot(point - corner), 0};
-    view.look({&point, 1}, {&look.factor, 1});
-    ++looks;
-    if (looks > 2 && share <= first_node) {
-      const double straight =
-          last.factor + (last.factor - before.factor) * (look.way - last.way) / (last.way - before.way);
-      missed += kSafety * end.area() * std::abs(look.factor - straight);
-    }
-    before = std::exchange(last, look);
-  }
-  evaluations_ += looks;
-  return missed;
 }
 
 double OuterIntegral::sum_of_errors() const {

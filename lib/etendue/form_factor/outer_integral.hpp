@@ -58,7 +58,7 @@ class OuterIntegral {
     double cut_stray = 0;    ///< what the form errs by between curves and the chords that the cell was cut along
     double curve_stray = 0;  ///< what the form seen from the centre errs by beyond the curves that cross the cell
     double stray = 0;        ///< both together; nothing where no form is used
-    bool told = true;      ///< that is little: the centre tells of all of the cell
+    bool told = true;        ///< that is little: the centre tells of all of the cell
     std::size_t form = 0, form_end = 0;  ///< of what is hidden, seen from the centre: in forms_
     bool formed = false;                 ///< that form holds in all of the cell
     bool none = false;                   ///< seen from the centre, nothing is hidden
@@ -79,7 +79,6 @@ class OuterIntegral {
   void measure(Piece& piece, double share);
   void measure_analytic(Piece& piece, int nodes);
   void measure_any(Piece& piece, bool fresh);
-  double peak(const Piece& piece, const CellSum& sum);
   void sample(Piece& piece);
   void halve(std::size_t index, double share);
   double sum_of_errors() const;
