@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/processor.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/double_double3.hpp"
 #include "etendue/geometry/meeting.hpp"
@@ -77,7 +78,7 @@ void roots(const Quadratic& q, Root& near, Root& far) {
 
 }  // namespace
 
-std::optional<Hit> intersect(const Ray& ray, const Cylinder& cylinder) {
+ETENDUE_USES_FMA std::optional<Hit> intersect(const Ray& ray, const Cylinder& cylinder) {
   require_direction(ray);
   require(cylinder.radius > 0, "intersect: the cylinder's radius is positive");
   require(cylinder.base != cylinder.top, "intersect: the cylinder's ends are apart");

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/processor.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/resolved.hpp"
 
@@ -43,7 +44,7 @@ void require_direction(const Ray& ray) {
   require(ray.origin.allFinite(), "intersect: the ray's origin is finite");
 }
 
-std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
+ETENDUE_USES_FMA std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
   const Vec3 offset = point - ray.origin;
   const Sum height = sum_of_products(normal, offset);
   const Sum speed = sum_of_products(normal, ray.direction);
@@ -56,7 +57,7 @@ std::optional<DoubleDouble> meet_plane(const Ray& ray, const Vec3& normal, const
   return t && looks_at(ray, t->high) ? t : std::nullopt;
 }
 
-std::optional<DoubleDouble> line_meets_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
+ETENDUE_USES_FMA std::optional<DoubleDouble> line_meets_plane(const Ray& ray, const Vec3& normal, const Vec3& point) {
   const double speed_size = normal.cwiseProduct(ray.direction).lpNorm<1>();
   const DoubleDouble speed = resolved(dot(widened(ray.direction), normal), speed_size,
                                       [&] { return exact_dot(widened(ray.direction), normal); });
@@ -67,7 +68,7 @@ std::optional<DoubleDouble> line_meets_plane(const Ray& ray, const Vec3& normal,
   return height / speed;
 }
 
-Hit flat_hit(const Ray& ray, const DoubleDouble& t, const Vec3& normal) {
+ETENDUE_USES_FMA Hit flat_hit(const Ray& ray, const DoubleDouble& t, const Vec3& normal) {
   Hit hit;
   hit.t = t.high;
   hit.point = rounded_along(widened(ray.origin), t, ray.direction);

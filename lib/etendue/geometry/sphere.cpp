@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/processor.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/resolved.hpp"
@@ -80,7 +81,7 @@ std::optional<DoubleDouble> first_root(const Ray& ray, const Quadratic& q) {
 
 }  // namespace
 
-std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere) {
+ETENDUE_USES_FMA std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere) {
   require_direction(ray);
   require(sphere.radius > 0 && std::isfinite(sphere.radius), "intersect: the sphere's radius is positive and finite");
   require(sphere.centre.allFinite(), "intersect: the sphere's centre is finite");

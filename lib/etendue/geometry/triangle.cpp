@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "etendue/core/contract.hpp"
+#include "etendue/core/processor.hpp"
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/kept_near.hpp"
 #include "etendue/geometry/meeting.hpp"
@@ -84,7 +85,7 @@ bool TrianglePass::may_hit(const Triangle& triangle, double t_max) const {
   return std::min({seen.a.z, seen.b.z, seen.c.z}) - 4 * kTriangleShift * reach <= t_max;
 }
 
-std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle) {
+ETENDUE_USES_FMA std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle) {
   require_direction(ray);
   const Seen seen(shear_of(ray.direction), triangle, ray.origin);
   const auto& [a, b, c, u, v, w] = seen;

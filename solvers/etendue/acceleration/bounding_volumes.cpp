@@ -110,14 +110,14 @@ void BoundingVolumes::walk(const Ray& ray, TestCount& tests, Visit visit) const 
 Nearest BoundingVolumes::nearest(const Ray& ray) const {
   NearestSearch search(scene(), ray);
   for (const Surface& surface : tree_.unbounded) search.try_counted(surface);
-  walk(ray, search.answer().tests, NearestVisit{search});
+  walk(ray, search.tests(), NearestVisit{search});
   return search.answer();
 }
 
 Obstruction BoundingVolumes::obstruction(const Ray& ray) const {
   ObstructionSearch search(scene(), ray);
   if (search.any_blocks(tree_.unbounded)) return search.answer();
-  walk(ray, search.answer().tests, ObstructionVisit{search, ray.t_max});
+  walk(ray, search.tests(), ObstructionVisit{search, ray.t_max});
   return search.answer();
 }
 

@@ -66,7 +66,8 @@ Library open_library() {
   Library library;
   void* handle = ::dlopen(kFile, RTLD_NOW | RTLD_LOCAL);  // never closed: it keeps threads of its own
   if (!handle) {
-    library.missing = Error{ErrorCode::input_output, std::string("embree: ") + ::dlerror()};
+    library.missing = Error{ErrorCode::input_output,
+                            std::string("embree: it cannot be opened (Debian: libembree3-3): ") + ::dlerror()};
     return library;
   }
   const auto load = [&](auto& function, const char* name) {
@@ -247,7 +248,7 @@ class Embree final : public Accelerator {
   static void propose_hit(const RTCFilterFunctionNArguments* proposal) {
     auto& query = *reinterpret_cast<NearestQuery*>(proposal->context);
     const auto& member = query.self.members_[reinterpret_cast<const RTCHit*>(proposal->hit)->primID];
-    ++query.search.answer().tests.surfaces;
+    ++query.search.tests().surfaces;
     query.doubtful = query.doubtful || query.self.doubtful(*proposal, query.single);
     const bool nearer = !query.doubtful && query.search.try_triangle(member.triangle, member.surface);
     proposal->valid[0] = nearer ? -1 : 0;

@@ -112,7 +112,7 @@ void Octree::walk(const Ray& ray, TestCount& tests, const double& limit, Visit v
 Nearest Octree::nearest(const Ray& ray) const {
   NearestSearch search(scene(), ray);
   for (const Surface& surface : unbounded_) search.try_counted(surface);
-  walk(ray, search.answer().tests, search.limit(), [&](const Surface& surface) {
+  walk(ray, search.tests(), search.limit(), [&](const Surface& surface) {
     search.try_surface(surface);
     return true;
   });
@@ -122,7 +122,7 @@ Nearest Octree::nearest(const Ray& ray) const {
 Obstruction Octree::obstruction(const Ray& ray) const {
   ObstructionSearch search(scene(), ray);
   if (search.any_blocks(unbounded_)) return search.answer();
-  walk(ray, search.answer().tests, ray.t_max, [&](const Surface& surface) { return !search.blocks(surface); });
+  walk(ray, search.tests(), ray.t_max, [&](const Surface& surface) { return !search.blocks(surface); });
   return search.answer();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,13 +17,21 @@ inline double beyond(double t) {
 }
 
 /// The nearest hit among the surfaces tried, ties as Accelerator says.
+///
+/// What sight() can tell comes first: a surface that is surely missed, or met surely later than another, is not intersected;
+/// the others wait until all are known, so that mostly one of them is left.
 class NearestSearch {
  public:
   NearestSearch(const Scene& scene, const Ray& ray) : scene_(scene), ray_(ray), limit_(ray.t_max) {}
 
-  /// The ray itself is never shortened: a hit would else depend on the order of the tests.
-  void try_surface(const Surface& surface) { consider(intersect(ray_, scene_, surface), surface); }
-  /// The same for one that is this triangle; whether it is the best so far.
+  void try_surface(const Surface& surface) {
+    const Sight seen = sight(ray_, scene_, surface);
+    if (seen.kind == Sight::Kind::miss || seen.first > limit_) return;
+    if (seen.kind == Sight::Kind::hit) limit_ = std::min(limit_, seen.last);
+    if (waiting_count_ == waiting_.size()) resolve();
+    waiting_[waiting_count_++] = {surface, seen.first};
+  }
+  /// The same for one that is this triangle, at once; whether it is the best so far.
   bool try_triangle(const Triangle& triangle, const Surface& surface) {
     return consider(intersect(ray_, triangle), surface);
   }
@@ -30,17 +40,35 @@ class NearestSearch {
     try_surface(surface);
   }
 
-  /// t of the best hit so far, or the ray's end.
+  /// No less than t of the best hit so far, or the ray's end.
   const double& limit() const { return limit_; }
-  Nearest& answer() { return answer_; }
+  TestCount& tests() { return answer_.tests; }
+  Nearest& answer() {
+    resolve();
+    return answer_;
+  }
 
  private:
+  struct Waiting {
+    Surface surface;
+    double first;  ///< it is not met before
+  };
+
+  /// The ray itself is never shortened: a hit would else depend on the order of the tests.
+  void resolve() {
+    for (std::size_t i = 0; i < waiting_count_; ++i) {
+      const Surface& surface = waiting_[i].surface;
+      if (!(waiting_[i].first > limit_)) consider(intersect(ray_, scene_, surface), surface);
+    }
+    waiting_count_ = 0;
+  }
+
   bool consider(const std::optional<Hit>& hit, const Surface& surface) {
     if (!hit) return false;
     const SceneHit candidate{*hit, surface.object, surface.part};
     if (answer_.hit && !precedes(candidate, *answer_.hit)) return false;
     answer_.hit = candidate;
-    limit_ = hit->t;
+    limit_ = std::min(limit_, hit->t);
     return true;
   }
 
@@ -48,6 +76,8 @@ class NearestSearch {
   const Ray& ray_;
   double limit_;
   Nearest answer_;
+  std::array<Waiting, 4> waiting_;
+  std::size_t waiting_count_ = 0;
 };
 
 /// Whether any of the surfaces tried is hit.
@@ -56,7 +86,9 @@ class ObstructionSearch {
   ObstructionSearch(const Scene& scene, const Ray& ray) : scene_(scene), ray_(ray) {}
 
   bool blocks(const Surface& surface) {
-    answer_.blocked = intersect(ray_, scene_, surface).has_value();
+    const Sight::Kind seen = sight(ray_, scene_, surface).kind;
+    answer_.blocked =
+        seen == Sight::Kind::hit || (seen == Sight::Kind::unsure && intersect(ray_, scene_, surface).has_value());
     return answer_.blocked;
   }
   bool blocks(const Triangle& triangle) {
@@ -71,6 +103,7 @@ class ObstructionSearch {
     return false;
   }
 
+  TestCount& tests() { return answer_.tests; }
   Obstruction& answer() { return answer_; }
 
  private:

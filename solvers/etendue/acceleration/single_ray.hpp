@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "etendue/acceleration/wide_tree.hpp"
@@ -20,7 +22,10 @@ inline constexpr float kFarthest = std::numeric_limits<float>::max();
 }
 [[nodiscard]] inline float rounded_down(double value) {
   const float single = to_single(value);
-  return static_cast<double>(single) > value ? std::nextafter(single, -kFarthest) : single;
+  if (!(static_cast<double>(single) > value)) return single;
+  if (single == 0) return -std::numeric_limits<float>::denorm_min();
+  // The number next to it, as std::nextafter says, without a call.
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(single) + (single > 0 ? -1U : 1U));
 }
 [[nodiscard]] inline float rounded_up(double value) {
   return -rounded_down(-value);

@@ -28,6 +28,10 @@ std::optional<Hit> intersect(const Ray& ray, const Scene& scene, const Surface& 
       scene.objects[surface.object].shape);
 }
 
+Sight sight(const Ray& ray, const Scene& scene, const Surface& surface) {
+  return std::visit([&](const auto& shape) { return sight(ray, shape); }, scene.objects[surface.object].shape);
+}
+
 std::optional<Aabb> bounds(const Scene& scene, const Surface& surface) {
   return std::visit(
       [&](const auto& shape) -> std::optional<Aabb> {

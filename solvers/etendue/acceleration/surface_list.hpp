@@ -5,6 +5,7 @@
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/geometry/aabb.hpp"
+#include "etendue/geometry/sight.hpp"
 
 namespace etendue {
 
@@ -18,6 +19,9 @@ struct Surface {
 [[nodiscard]] std::vector<Surface> surfaces(const Scene& scene);
 
 [[nodiscard]] std::optional<Hit> intersect(const Ray& ray, const Scene& scene, const Surface& surface);
+
+/// What is known of it without: sight.hpp.
+[[nodiscard]] Sight sight(const Ray& ray, const Scene& scene, const Surface& surface);
 
 /// Box around the surface; nothing for a plane, which has no end.
 [[nodiscard]] std::optional<Aabb> bounds(const Scene& scene, const Surface& surface);

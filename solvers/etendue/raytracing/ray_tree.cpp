@@ -27,9 +27,24 @@ class TreeBuilder {
   TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits, double wavelength)
       : accelerator_(accelerator), scene_(accelerator.scene()), limits_(limits) {
     tree_.wavelength = wavelength;
+    tree_.nodes.reserve(kUsual);
   }
 
-  void follow(RayNode node) {
+  /// Of the tree that begins with this ray.
+  void begin(const Ray& ray, const Media& media) {
+    RayNode& root = tree_.nodes.emplace_back();
+    root.ray = ray;
+    root.media = media;
+    follow(0);
+  }
+
+  RayTree take() { return std::move(tree_); }
+
+ private:
+  static constexpr std::size_t kUsual = 4;  // most trees have no more rays
+
+  void follow(std::size_t i) {
+    RayNode& node = tree_.nodes[i];
     if (const auto body = node.media.present(scene_)) node.medium = body->material;
     if (node.level > limits_.depth) {
       node.end = RayEnd::depth_limit;
@@ -38,13 +53,9 @@ class TreeBuilder {
     } else {
       meet(node);
     }
-    tree_.nodes.push_back(std::move(node));
-    if (tree_.nodes.back().end == RayEnd::surface) branch(tree_.nodes.size() - 1);
+    if (node.end == RayEnd::surface) branch(i);
   }
 
-  RayTree take() { return std::move(tree_); }
-
- private:
   /// Finds the next surface that can be seen: those hidden in the body that counts are passed.
   void meet(RayNode& node) {
     Ray ahead = node.ray;
@@ -64,10 +75,10 @@ class TreeBuilder {
   }
 
   void branch(std::size_t parent) {
+    const Material& material = material_of(*tree_.nodes[parent].hit);
+    if (!(material.k_r > 0 || material.k_t > 0)) return;  // most surfaces
     const SceneHit met = *tree_.nodes[parent].hit;
     const Ray incident = tree_.nodes[parent].ray;
-    const Material& material = material_of(met);
-    if (!(material.k_r > 0 || material.k_t > 0)) return;  // most surfaces
     const Media around = tree_.nodes[parent].media;
     Crossing crossing;
     if (is_transparent(material)) crossing = cross(around, met, incident.direction, scene_);
@@ -116,15 +127,16 @@ class TreeBuilder {
   }
 
   void spawn(std::size_t parent, RayKind kind, const Ray& ray, double coefficient, const Media& media) {
-    RayNode child;
+    RayNode& child = tree_.nodes.emplace_back();
+    const RayNode& from = tree_.nodes[parent];
     child.ray = ray;
     child.kind = kind;
-    child.level = tree_.nodes[parent].level + 1;
+    child.level = from.level + 1;
     child.parent = parent;
     child.coefficient = coefficient;
-    child.weight = tree_.nodes[parent].weight * coefficient;
+    child.weight = from.weight * coefficient;
     child.media = media;
-    follow(std::move(child));
+    follow(tree_.nodes.size() - 1);
   }
 
   const Material& material_of(const SceneHit& met) const {
@@ -162,10 +174,7 @@ RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimi
   require(limits.depth >= 0, "trace: the depth is not negative");
   require(limits.cutoff >= 0, "trace: the cutoff is not negative");
   TreeBuilder builder(accelerator, limits, start.wavelength);
-  RayNode root;
-  root.ray = eye_ray;
-  root.media = start.media;
-  builder.follow(std::move(root));
+  builder.begin(eye_ray, start.media);
   return builder.take();
 }
 

@@ -34,11 +34,16 @@ LightSample towards(const Light& light, const Vec3& point) {
     return {directional->direction, std::numeric_limits<double>::infinity()};
   }
   const Vec3 way = middle(light) - point;
-  return {way.stableNormalized(), way.stableNorm()};
+  // Scaled by its largest component, as Eigen's stableNorm() and stableNormalized(), to the bit, but at once.
+  const double largest = way.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return {way, 0};
+  const double distance = largest * (way * (1 / largest)).norm();
+  return {way / ((way / largest).norm() * largest), distance};
 }
 
-Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
-  const Vec3 to_light = towards(light, hit.point).to_light;
+namespace {
+
+Ray shadow_ray_into(const Vec3& to_light, const Hit& hit, const Light& light, AcneCure cure) {
   Ray ray;
   ray.origin = cure == AcneCure::error_bound ? offset_origin(hit, to_light) : hit.point;
   if (cure == AcneCure::moved_origin) ray.origin += kShadowTolerance * to_light;
@@ -47,6 +52,12 @@ Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
   ray.direction = sample.to_light;
   ray.t_max = sample.distance;
   return ray;
+}
+
+}  // namespace
+
+Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
+  return shadow_ray_into(towards(light, hit.point).to_light, hit, light, cure);
 }
 
 SurfaceColour colour_at(const Material& material, const Vec3& point) {
@@ -65,15 +76,16 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
   const Vec3 normal = met.hit.normal.dot(to_viewer) < 0 ? Vec3(-met.hit.normal) : met.hit.normal;
 
   Shaded result;
-  std::vector<IncidentLight> arriving;
+  thread_local std::vector<IncidentLight> arriving;  // its memory is kept from hit to hit
+  arriving.clear();
   const SurfaceColour colour = colour_at(material, met.hit.point);
   const bool returns_light = (colour.k_d != 0).any() || material.k_s != 0;
   const auto look_for = [&](const Light& light) {
     const LightSample sample = towards(light, met.hit.point);
     if (!(normal.dot(sample.to_light) > 0)) return;
     ++result.shadow_rays;
-    const Passage way =
-        passage(shadow_ray(met.hit, light, shadows.cure), {met.object, node.media, wavelength}, accelerator, shadows);
+    const Passage way = passage(shadow_ray_into(sample.to_light, met.hit, light, shadows.cure),
+                                {met.object, node.media, wavelength}, accelerator, shadows);
     result.tests += way.tests;
     if ((way.share > 0).any()) arriving.push_back({sample.to_light, intensity(light) * way.share, 1});
   };
@@ -93,7 +105,8 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
 Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKey& key, const Shadows& shadows) {
   const Scene& scene = accelerator.scene();
   Shaded total;
-  std::vector<Rgb> colour(tree.nodes.size(), Rgb::Zero());
+  thread_local std::vector<Rgb> colour;  // its memory is kept from tree to tree
+  colour.assign(tree.nodes.size(), Rgb::Zero());
   // Children come after their parents, so from the back every ray's own sum is complete when it is passed on.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const RayNode& node = tree.nodes[i];
