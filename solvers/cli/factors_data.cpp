@@ -2,6 +2,7 @@
 #include "factors_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -20,6 +21,13 @@ Error in_file(const std::string& file, const std::string& what) {
   return {ErrorCode::invalid_input, printable(file) + ": " + what};
 }
 
+/// "R.csv:7: row 3: ", or what can be said of it.
+std::string place(const std::string& file, const std::vector<std::size_t>& lines, Eigen::Index row) {
+  const auto k = static_cast<std::size_t>(row);
+  return printable(file) + ":" + (k < lines.size() ? std::to_string(lines[k]) + ": " : " ") + "row " +
+         std::to_string(row) + ": ";
+}
+
 /// An option's number, or the file of numbers that it names.
 struct Column {
   std::string source;
@@ -29,7 +37,7 @@ struct Column {
 
 Result<Column> column(const std::string& option, const std::string& text) {
   if (const auto value = parse_number(text)) {
-    return Column{option, {RowMatrix::Constant(1, 1, *value), true}, true};
+    return Column{option, {RowMatrix::Constant(1, 1, *value), true, {}}, true};
   }
   auto table = read_number_table(text);
   // A word that is neither a number nor a file: both are named.
@@ -40,6 +48,23 @@ Result<Column> column(const std::string& option, const std::string& text) {
   return Column{text, std::move(table).value(), false};
 }
 
+/// Refuses the first value that is not as expected.
+Result<Done> check_values(const Column& column, const char* what, bool (*good)(double), const char* expected) {
+  const RowMatrix& values = column.table.values;
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    for (Eigen::Index c = 0; c < values.cols(); ++c) {
+      if (good(values(i, c))) continue;
+      const std::string where = column.number
+                                    ? column.source + ": "
+                                    : place(column.source, column.table.lines, i) +
+                                          (values.cols() > 1 ? "channel " + std::to_string(c + 1) + ": " : "");
+      return Error{ErrorCode::invalid_input,
+                   where + "found " + what + " " + shortest(values(i, c)) + ", expected " + expected};
+    }
+  }
+  return Done{};
+}
+
 /// For n patches and so many channels.
 Result<Eigen::MatrixXd> spread(const Column& column, Eigen::Index n, Eigen::Index channels) {
   const RowMatrix& values = column.table.values;
@@ -48,8 +73,8 @@ Result<Eigen::MatrixXd> spread(const Column& column, Eigen::Index n, Eigen::Inde
                                       ": one a patch, as the form factors have");
   }
   if (values.cols() != 1 && values.cols() != channels) {
-    return in_file(column.source, "holds " + std::to_string(values.cols()) + " columns, expected 1 or " +
-                                      std::to_string(channels) + ": one a channel");
+    return in_file(column.source, "holds " + std::to_string(values.cols()) + " columns, expected 1" +
+                                      (channels > 1 ? " or " + std::to_string(channels) + ": one a channel" : ""));
   }
   Eigen::MatrixXd result(n, channels);
   for (Eigen::Index c = 0; c < channels; ++c) {
@@ -65,24 +90,25 @@ Result<Eigen::VectorXd> read_areas(const std::string& text, Eigen::Index n) {
   if (!areas) return areas.error();
   const auto all = spread(*areas, n, 1);
   if (!all) return all.error();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if ((*all)(i, 0) > 0) continue;
-    return in_file(areas->source, "row " + std::to_string(i) + ": area " + shortest((*all)(i, 0)) + " is not positive");
-  }
+  const auto positive = [](double area) { return area > 0; };
+  if (const auto good = check_values(*areas, "area", positive, "a positive number"); !good) return good.error();
   return Eigen::VectorXd(all->col(0));
 }
 
 /// No bound below zero.
 Result<Done> check_bounds(const Column& bounds) {
-  const RowMatrix& values = bounds.table.values;
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    for (Eigen::Index j = 0; j < values.cols(); ++j) {
-      if (values(i, j) >= 0) continue;
-      return in_file(bounds.source, (bounds.number ? "" : "row " + std::to_string(i) + ": ") + "bound " +
-                                        shortest(values(i, j)) + " is negative");
-    }
-  }
-  return Done{};
+  const auto good = [](double bound) { return bound >= 0; };
+  return check_values(bounds, "bound", good, "a number of at least 0");
+}
+
+/// Every factor is a share of power.
+Result<Done> check_factors(const FactorsFile& file, const std::string& name) {
+  const double most = 1 + RadiosityRules{}.factor_error;
+  const auto entry = form_factors(file, {})->entry_outside(most);
+  if (!entry) return Done{};
+  return Error{ErrorCode::invalid_input,
+               place(name, file.lines, entry->row) + "column " + std::to_string(entry->column) +
+                   ": found form factor " + shortest(entry->value) + ", expected a share of power: a number in [0, 1]"};
 }
 
 Result<Done> add_bound(const std::string& option, const std::optional<std::string>& text,
@@ -180,7 +206,14 @@ FactorEnds ends_of(const FactorsData& data) {
       high(i, j) = upper_end(value, data.factors.decimal, bound, bounds.decimal, 1);
     }
   }
-  return {{std::move(low), false}, {std::move(high), false}};
+  return {{std::move(low), false, {}}, {std::move(high), false, {}}};
+}
+
+/// As the result's header numbers them.
+std::vector<std::string> channel_names(const FactorsData& data) {
+  std::vector<std::string> names;
+  for (Eigen::Index c = 1; c <= data.emission.value.cols(); ++c) names.push_back("channel " + std::to_string(c));
+  return names;
 }
 
 }  // namespace
@@ -202,6 +235,13 @@ Result<FactorsData> read_factors_data(const FactorsSource& source) {
   if (!rho) return rho.error();
   if (!emission) return emission.error();
   const Eigen::Index channels = std::max(rho->table.values.cols(), emission->table.values.cols());
+  const auto share = [](double value) { return value >= 0 && value < 1; };
+  const auto power = [](double value) { return value >= 0; };
+  for (const auto& good : {check_factors(data.factors, source.factors.string()),
+                           check_values(*rho, "reflectance", share, "a number in [0, 1)"),
+                           check_values(*emission, "emission", power, "a number of at least 0")}) {
+    if (!good) return good.error();
+  }
   auto all_rho = spread(*rho, n, channels), all_emission = spread(*emission, n, channels);
   if (!all_rho) return all_rho.error();
   if (!all_emission) return all_emission.error();
@@ -226,6 +266,27 @@ Result<FactorsData> read_factors_data(const FactorsSource& source) {
   return data;
 }
 
+double reciprocity_defect(const FactorsData& data) {
+  double defect = 0;
+  const auto note = [&](Eigen::Index i, Eigen::Index j, double factor, double returned) {
+    const double there = data.areas(i) * factor, back = data.areas(j) * returned;
+    if (there != back) defect = std::max(defect, std::abs(there - back) / std::max(there, back));
+  };
+  if (const auto* matrix = std::get_if<RowMatrix>(&data.factors.factors)) {
+    for (Eigen::Index i = 0; i < matrix->rows(); ++i) {
+      for (Eigen::Index j = 0; j < i; ++j) note(i, j, (*matrix)(i, j), (*matrix)(j, i));
+    }
+  } else {
+    const auto& sparse = std::get<SparseRows>(data.factors.factors);
+    for (Eigen::Index i = 0; i < sparse.outerSize(); ++i) {
+      for (SparseRows::InnerIterator at(sparse, i); at; ++at) {
+        note(i, at.col(), at.value(), sparse.coeff(at.col(), i));
+      }
+    }
+  }
+  return defect;
+}
+
 std::shared_ptr<const FormFactors> form_factors(const FactorsFile& file, const Schedule& schedule) {
   if (const auto* matrix = std::get_if<RowMatrix>(&file.factors))
     return std::make_shared<DenseFactors>(*matrix, schedule);
@@ -233,7 +294,8 @@ std::shared_ptr<const FormFactors> form_factors(const FactorsFile& file, const S
 }
 
 RadiosityEquation equation_of(const FactorsData& data, const Schedule& schedule) {
-  return {form_factors(data.factors, schedule), data.reflectance.value, data.emission.value, data.areas, {}};
+  return {form_factors(data.factors, schedule), data.reflectance.value, data.emission.value, data.areas,
+          channel_names(data)};
 }
 
 EnclosedRadiosityEquation enclosed(const FactorsData& data, const Schedule& schedule) {
@@ -245,7 +307,7 @@ EnclosedRadiosityEquation enclosed(const FactorsData& data, const Schedule& sche
           lower_end(data.emission),
           upper_end(data.emission),
           data.areas,
-          {}};
+          channel_names(data)};
 }
 
 }  // namespace etendue::cli

@@ -43,11 +43,14 @@ struct FactorsData {
   std::optional<RepairedFactors> repaired;
 };
 
-/// Errors    those of read_factors() and read_number_table(); sizes that do not fit, areas that are not positive, bounds that are
-///           negative: file, row and value named
+/// Errors    those of read_factors() and read_number_table(); sizes that do not fit; factors outside [0, 1], reflectances outside
+///           [0, 1), emissions or bounds below 0, areas that are not positive: file, line, row, channel and value named
 [[nodiscard]] Result<FactorsData> read_factors_data(const FactorsSource& source);
 
 [[nodiscard]] std::shared_ptr<const FormFactors> form_factors(const FactorsFile& file, const Schedule& schedule);
+
+/// max |A_i F_ij − A_j F_ji| as a share of the larger of the two. Contract: there are areas
+[[nodiscard]] double reciprocity_defect(const FactorsData& data);
 
 /// The equation of the numbers as they were read.
 [[nodiscard]] RadiosityEquation equation_of(const FactorsData& data, const Schedule& schedule);

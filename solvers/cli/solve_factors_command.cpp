@@ -2,8 +2,10 @@
 #include "solve_factors_command.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 
 #include "etendue/assembly/factor_repair.hpp"
@@ -149,7 +151,7 @@ Result<FactorsSolution> solved(const Request& request, const FactorsData& data, 
     return !run.stopping();
   };
   auto report = solve_radiosity(equation, goal);
-  if (!report) return report.error();
+  if (!report) return Error{report.error().code, printable(request.factors.string()) + ": " + report.error().message};
   FactorsSolution solution{request.solver, std::move(report).value(), {}, {}, {}};
   solution.around = around(equation, solution.report);
   if (equation.areas.size() > 0) {
@@ -188,7 +190,17 @@ std::optional<std::string> incomplete(const Request& request) {
   return std::nullopt;
 }
 
-int judged(const Request& request, const FactorsSolution& solution, std::ostream& err) {
+/// Why conjugate gradients may have got no nearer.
+std::string not_reciprocal(const Request& request, const FactorsData& data) {
+  constexpr double kRounded = 1e-6;  // as form factors are computed and written
+  if (request.solver != "cg") return "";
+  const double defect = reciprocity_defect(data);
+  if (!(defect > kRounded)) return "";
+  return "; cg needs reciprocal form factors, and with these areas A_i F_ij and A_j F_ji differ by up to " +
+         shortest(std::round(1e4 * defect) / 1e2) + " %: check --areas, or take gmres";
+}
+
+int judged(const Request& request, const FactorsData& data, const FactorsSolution& solution, std::ostream& err) {
   const RadiosityReport& report = solution.report;
   if (report.status == RadiosityStatus::stopped) {
     return fail(err, kName, {ErrorCode::stopped, "stopped; the result is what was reached, with its bound"});
@@ -200,7 +212,8 @@ int judged(const Request& request, const FactorsSolution& solution, std::ostream
   // Of a direct solver nothing is asked unless it is asked.
   if (report.status == RadiosityStatus::reached) return 0;
   return fail(err, kName,
-              {ErrorCode::not_converged, missed_text(report, request.tolerance > 0 ? request.tolerance : kTolerance)});
+              {ErrorCode::not_converged, missed_text(report, request.tolerance > 0 ? request.tolerance : kTolerance) +
+                                             not_reciprocal(request, data)});
 }
 
 }  // namespace
@@ -235,7 +248,7 @@ int solve_factors(const std::vector<std::string>& arguments, std::ostream& out, 
   } else if (!request.common.quiet) {
     print_factors_summary(told, *solution, data->repaired);
   }
-  return judged(request, *solution, err);
+  return judged(request, *data, *solution, err);
 }
 
 }  // namespace etendue::cli

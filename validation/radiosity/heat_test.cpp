@@ -196,7 +196,7 @@ TEST(Heat, RefusesWhatHasNoAnswer) {
   };
   const GreyPatch warm{0.5, NetFlux{10}}, fine = held(0.5, 300);
   refused(plates, {warm, warm}, "do not determine", ErrorCode::not_converged);
-  refused(plates, {fine, {0.5, NetFlux{-1e9}}}, "patch 1: a net flux of -1000000000 W/m² draws more than arrives");
+  refused(plates, {fine, {0.5, NetFlux{-1e9}}}, "patch 1: a net flux of -1e+09 W/m² draws more than arrives");
   refused(plates, {fine, held(0, 300)}, "patch 1: emissivity 0 is not in (0, 1]");
   refused(plates, {held(1.5, 300), fine}, "patch 0: emissivity 1.5");
   refused(plates, {held(std::nan(""), 300), fine}, "patch 0: emissivity nan");
@@ -207,6 +207,14 @@ TEST(Heat, RefusesWhatHasNoAnswer) {
   refused(plates, {fine, {0.5, SheetWith{7}}}, "patch 1: the other side of its sheet");
   refused(plates, {fine}, "F is 2 × 2 and there are 1 patches");
   refused(DenseFactors(matrix(2, {0, 1.5, 1, 0})), {fine, fine}, "F(0, 1) = 1.5");
+  refused(DenseFactors(matrix(2, {0.7, 0.7, 1, 0})), {fine, fine}, "row 0 sums to 1.4");
+  refused(plates, {fine, held(0.5, 1e80)}, "patch 1: temperature 1e+80 K: its emissive power overflows");
+  EXPECT_TRUE(holds(!gebhart_factors(DenseFactors(matrix(2, {0.7, 0.7, 1, 0})), Eigen::Vector2d(1, 1)).ok()));
+  // Insulated, and all that it sees is at 0 K: that is its temperature, however the sums round.
+  const DenseFactors thirds(matrix(3, {0, 1. / 3, 2. / 3, 0.1, 0, 0.9, 0.3, 0.7, 0}));
+  const auto cold = exchange_heat(thirds, {held(0.1, 0), held(0.3, 0), {0.7, NetFlux{0}}});
+  ASSERT_TRUE(cold.ok()) << cold.error().message;
+  EXPECT_TRUE(near(cold->temperature(2), 0, 0));
   EXPECT_TRUE(holds(!gebhart_factors(plates, Eigen::Vector2d(0.5, 0)).ok()));
   EXPECT_TRUE(holds(!closed_by(1, DenseFactors(matrix(2, {0.5, 1, 1, 0})), Eigen::Vector2d(1, 1)).ok()));
   EXPECT_TRUE(holds(!closed_by(1, plates, Eigen::Vector2d(1, 0)).ok()));

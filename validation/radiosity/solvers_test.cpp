@@ -111,31 +111,31 @@ std::vector<CGAL::Interval_nt<false>> enclosed(const RadiosityEquation& equation
   return x;
 }
 
-// CLAIM      IU.6-7, IU.6-9: in an irregular open room of 1,000 patches every solver's answer, widened by its bound, meets
+// CLAIM      IU.6-7, IU.6-9: in an irregular open room of 2,000 patches every solver's answer, widened by its bound, meets
 //            the interval that holds the exact one, for every patch.
 // ORACLE     interval iteration with directed rounding (CGAL::Interval_nt), which shares no arithmetic with ours.
 // TOLERANCE  the returned bound and the width of the interval.
 TEST(Solvers, MeetTheIntervalsOfALargeRoom) {
   proves({"IU.6-7", "IU.6-9"}, Oracle::exact, "interval Gauss–Seidel with directed rounding");
+  constexpr Eigen::Index kPatches = 2000;
   uses_seed(kSeed + 2);
   CounterRandom random(kSeed + 2);
-  RadiosityEquation equation = dyadic_equation(random, 1000, 1, 0.5);
+  RadiosityEquation equation = dyadic_equation(random, kPatches, 1, 0.5);
   RowMatrix factors = dynamic_cast<const DenseFactors&>(*equation.factors).matrix();
   ASSERT_GT(factors.rowwise().sum().minCoeff(), 0) << "patches see each other";
   const auto truth = enclosed(equation, 35);
   for (const RadiositySolver solver : all_solvers()) {
-    if (solver == RadiositySolver::gaussian_elimination) continue;
     const auto solution = solve_radiosity(equation, goal(solver));
     ASSERT_TRUE(solution.ok()) << solution.error().message;
     std::uint64_t outside = 0;
     double farthest = 0;
-    for (Eigen::Index i = 0; i < 1000; ++i) {
+    for (Eigen::Index i = 0; i < kPatches; ++i) {
       const auto& interval = truth[static_cast<std::size_t>(i)];
       const double b = solution->radiosity(i, 0), bound = solution->bound(0);
       outside += b + bound < interval.inf() || b - bound > interval.sup();
       farthest = std::max({farthest, b - interval.inf(), interval.sup() - b});
     }
-    EXPECT_TRUE(all_agree(outside, 1000)) << name(solver);
+    EXPECT_TRUE(all_agree(outside, kPatches)) << name(solver);
     EXPECT_TRUE(within(farthest, 1e-9 * solution->radiosity.maxCoeff())) << name(solver);
   }
 }
@@ -240,6 +240,30 @@ TEST(Solvers, GiveTheSameBitsHoweverBlocksAreScheduled) {
     EXPECT_TRUE(holds(plain->radiosity == scheduled->radiosity && plain->bound == scheduled->bound));
   }
   EXPECT_GT(most_blocks, 8);
+}
+
+// CLAIM      IU.6-7, IU.6-12: every solver does the same to watts as to 2^±500 of them, and to square metres as to 2^±400: the
+//            same bits, scaled.
+// ORACLE     metamorphic: powers of two.
+// TOLERANCE  none.
+TEST(Solvers, KnowNoUnit) {
+  proves({"IU.6-7", "IU.6-12"}, Oracle::metamorphic, "emissions and areas times powers of two");
+  uses_seed(kSeed + 8);
+  CounterRandom random(kSeed + 8);
+  const RadiosityEquation equation = dyadic_equation(random, 20, 2, 0.9);
+  for (const RadiositySolver solver : all_solvers()) {
+    const auto plain = solve_radiosity(equation, goal(solver));
+    ASSERT_TRUE(plain.ok() && plain->status == RadiosityStatus::reached) << name(solver);
+    for (const int power : {-500, 500}) {
+      RadiosityEquation scaled = equation;
+      scaled.emission *= std::ldexp(1.0, power);
+      scaled.areas *= std::ldexp(1.0, power * 4 / 5);
+      const auto solution = solve_radiosity(scaled, goal(solver));
+      ASSERT_TRUE(solution.ok()) << name(solver) << solution.error().message;
+      EXPECT_TRUE(holds(solution->radiosity == plain->radiosity * std::ldexp(1.0, power))) << name(solver) << power;
+      EXPECT_TRUE(holds(solution->steps == plain->steps && solution->status == plain->status)) << name(solver);
+    }
+  }
 }
 
 // CLAIM      IU.6-7: a product with dense or sparse factors keeps the number of roundings that it states, also where the

@@ -16,23 +16,17 @@ double dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, Eigen::Index c) {
   return sum;
 }
 
-bool finite(const Eigen::MatrixXd& values) {
-  for (Eigen::Index k = 0; k < values.size(); ++k) {
-    if (!std::isfinite(values(k))) return false;
-  }
-  return true;
-}
-
 /// (I − H) x = b with H = diag(√(ρA)) F diag(√(ρ/A)), symmetric where A_i F_ij is, positive definite (NOTES.md §6);
 /// corrections of B are √(ρ/A) x. A patch with ρ = 0 has x = 0: it is E and needs no correction.
 class SymmetricSystem {
  public:
   explicit SymmetricSystem(const RadiosityEquation& equation)
       : out_(equation.emission.rows(), equation.emission.cols()), in_(out_.rows(), out_.cols()) {
+    const Eigen::VectorXd areas = equation.areas / units(equation.areas)(0);
     for (Eigen::Index c = 0; c < out_.cols(); ++c) {
       for (Eigen::Index i = 0; i < out_.rows(); ++i) {
-        in_(i, c) = std::sqrt(equation.reflectance(i, c) * equation.areas(i));
-        out_(i, c) = std::sqrt(equation.reflectance(i, c) / equation.areas(i));
+        in_(i, c) = std::sqrt(equation.reflectance(i, c) * areas(i));
+        out_(i, c) = std::sqrt(equation.reflectance(i, c) / areas(i));
       }
     }
   }
@@ -59,16 +53,22 @@ class SymmetricSystem {
 /// What all channels do at once: each is an iteration of its own, but they share the passes over F.
 class Search {
  public:
-  Search(const SymmetricSystem& system, const Eigen::MatrixXd& residuals)
+  Search(const SymmetricSystem& system, const Course& course)
       : system_(system),
-        remainder_(system.right_side(residuals)),
+        unit_(units(course.judgement().residuals)),
+        remainder_(system.right_side(course.judgement().residuals * unit_.cwiseInverse().asDiagonal())),
         direction_(remainder_),
         x_(Eigen::MatrixXd::Zero(remainder_.rows(), remainder_.cols())),
         size_(static_cast<std::size_t>(x_.cols())),
-        ended_(size_.size(), 0) {
+        least_(size_.size()),
+        since_least_(size_.size(), 0),
+        ended_(size_.size(), 0),
+        patience_(size_.size()) {
     for (Eigen::Index c = 0; c < x_.cols(); ++c) {
-      size_[static_cast<std::size_t>(c)] = dot(remainder_, remainder_, c);
-      if (!(size_[static_cast<std::size_t>(c)] > 0)) end(c);
+      const auto k = static_cast<std::size_t>(c);
+      least_[k] = size_[k] = dot(remainder_, remainder_, c);
+      patience_[k] = patience(course, c);
+      if (!(size_[k] > 0)) end(c);
     }
   }
 
@@ -94,11 +94,11 @@ class Search {
       const double next = dot(remainder_, remainder_, c);
       for (Eigen::Index i = 0; i < x_.rows(); ++i) direction_(i, c) = remainder_(i, c) + next / size * direction_(i, c);
       size = next;
-      if (near(course, c) || !(next > 0)) end(c);
+      if (near(course, c) || !(next > 0) || hopeless(c)) end(c);
     }
   }
 
-  Eigen::MatrixXd correction() const { return system_.correction(x_); }
+  Eigen::MatrixXd correction() const { return system_.correction(x_) * unit_.asDiagonal(); }
 
  private:
   void end(Eigen::Index c) {
@@ -106,21 +106,44 @@ class Search {
     direction_.col(c).setZero();
   }
 
+  /// Steps within which the remainder has a new least where the system is symmetric: its eigenvalues lie in [d, 2 − d],
+  /// d = min_i (1 − ρ_i Σ_j F_ij), so with κ = (2 − d)/d the remainder after m steps is below
+  /// 2 √κ ((√κ − 1)/(√κ + 1))^m of the first, hence below it for m > √κ ln(2 √κ)/2. Twice that, for rounding.
+  static double patience(const Course& course, Eigen::Index c) {
+    double least = 1;
+    for (Eigen::Index i = 0; i < course.radiosity().rows(); ++i) least = std::min(least, course.margin(i, c));
+    const double root = std::sqrt((2 - least) / least);
+    return 10 + root * std::log(2 * root);
+  }
+
+  /// No new least of the remainder for longer than a symmetric system takes: it is not, or rounding is all that is left.
+  bool hopeless(Eigen::Index c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (size_[k] < least_[k]) {
+      least_[k] = size_[k];
+      since_least_[k] = 0;
+    }
+    return static_cast<double>(++since_least_[k]) > patience_[k];
+  }
+
   /// Does the remainder, which is the residual but for rounding, promise the bound that is asked?
   bool near(const Course& course, Eigen::Index c) const {
     double bound = 0, largest = 0;
     for (Eigen::Index i = 0; i < x_.rows(); ++i) {
-      bound = std::max(bound, std::abs(remainder_(i, c)) * system_.out(i, c) / course.margin(i, c));
-      largest = std::max(largest, std::abs(course.radiosity()(i, c) + system_.out(i, c) * x_(i, c)));
+      bound = std::max(bound, unit_(c) * (std::abs(remainder_(i, c)) * system_.out(i, c)) / course.margin(i, c));
+      largest = std::max(largest, std::abs(course.radiosity()(i, c) + unit_(c) * (system_.out(i, c) * x_(i, c))));
     }
     const double wanted = course.goal().tolerance * largest, rounding = course.judgement().rounding(c);
     return bound <= (rounding < wanted ? 0.5 * (wanted - rounding) : 0.5 * rounding);
   }
 
   const SymmetricSystem& system_;
+  Eigen::VectorXd unit_;  ///< of the residuals: everything here is in it
   Eigen::MatrixXd remainder_, direction_, x_;
-  std::vector<double> size_;
+  std::vector<double> size_, least_;  ///< squares of the remainder
+  std::vector<Eigen::Index> since_least_;
   std::vector<char> ended_;
+  std::vector<double> patience_;
 };
 
 }  // namespace
@@ -132,14 +155,14 @@ void conjugate_gradients(Course& course) {
   constexpr double kNoProgress = 0.99;  // a search that leaves more than this of the bound helps no more
   for (double last = 0; !course.ends_with(radiosity); last = course.excess()) {
     if (last > 0 && course.excess() > kNoProgress * last) return course.stalled();
-    Search search(system, course.judgement().residuals);
+    Search search(system, course);
     do {
       search.step(course);
       course.count();
     } while (!search.ended() && course.steps_left() > 0 && course.may_go_on());
-    const Eigen::MatrixXd correction = search.correction();
-    if (!finite(correction)) return course.stalled();
-    radiosity += correction;
+    const Eigen::MatrixXd next = radiosity + search.correction();
+    if (!all_finite(next)) return course.stalled();
+    radiosity = next;
   }
 }
 

@@ -29,7 +29,8 @@ std::optional<Error> bad_channel(const RadiosityEquation& equation, Eigen::Index
     if (!std::isfinite(emission)) return invalid(prefix, "row ", i, ": emission ", emission, " is not finite");
     if (emission < 0) return invalid(prefix, "row ", i, ": emission ", emission, " is negative");
     if (!(dominance(rho, row_sums(i), equation.factors->roundings()) > 0)) {
-      return invalid(prefix, "row ", i, ": ρ Σ_j F_ij = ", rho * row_sums(i), " is not below 1 (reflectance ", rho,
+      return invalid(prefix, "row ", i, ": ρ Σ_j F_ij = ", rho * row_sums(i),
+                     " is not below 1 by more than its rounding (reflectance ", rho,
                      "): the patch would reflect all it receives");
     }
   }
@@ -51,7 +52,7 @@ std::optional<Error> excessive(const Eigen::VectorXd& row_sums, double excess) {
 
 std::string channel_prefix(const RadiosityEquation& equation, Eigen::Index channel) {
   const auto c = static_cast<std::size_t>(channel);
-  if (c < equation.channels.size()) return equation.channels[c] + " channel: ";
+  if (c < equation.channels.size()) return equation.channels[c] + ": ";
   return equation.emission.cols() > 1 ? "channel " + std::to_string(channel) + ": " : "";
 }
 

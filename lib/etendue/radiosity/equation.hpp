@@ -20,7 +20,7 @@ struct RadiosityEquation {
   Eigen::MatrixXd reflectance;                 ///< ρ, n × channels, in [0, 1)
   Eigen::MatrixXd emission;                    ///< E [W/m²], n × channels, not negative
   Eigen::VectorXd areas;                       ///< A [m²], n; or none: only conjugate gradients need them
-  std::vector<std::string> channels;           ///< what messages call the channels; or none: their numbers
+  std::vector<std::string> channels;           ///< what messages call them ("red channel"); or none: numbers from 0
 };
 
 /// What is taken for the equation of real patches.

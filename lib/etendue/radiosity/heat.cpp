@@ -31,7 +31,16 @@ std::optional<Error> bad_emissivity(Eigen::Index i, double emissivity) {
   return invalid("patch ", i, ": emissivity ", emissivity, " is not in (0, 1]");
 }
 
-std::optional<Error> bad_factors(const FormFactors& factors, Eigen::Index patches) {
+std::optional<Error> bad_rows(const FormFactors& factors, double row_excess) {
+  require(row_excess >= 0, "heat exchange: the excess of rows is not negative");
+  const Eigen::VectorXd sums = row_sums(factors);
+  for (Eigen::Index i = 0; i < sums.size(); ++i) {
+    if (!(sums(i) <= 1 + row_excess)) return invalid("row ", i, " sums to ", sums(i), ", more than it can see");
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> bad_factors(const FormFactors& factors, Eigen::Index patches, double row_excess) {
   if (factors.size() != patches || patches == 0) {
     return invalid("F is ", factors.size(), " × ", factors.size(), " and there are ", patches, " patches");
   }
@@ -39,15 +48,16 @@ std::optional<Error> bad_factors(const FormFactors& factors, Eigen::Index patche
   if (const auto entry = factors.entry_outside(1 + kFactorError)) {
     return invalid("F(", entry->row, ", ", entry->column, ") = ", entry->value, " is not a fraction of power");
   }
-  return std::nullopt;
+  return bad_rows(factors, row_excess);
 }
 
 std::optional<Error> bad_patch(const std::vector<GreyPatch>& patches, std::size_t i) {
   const GreyPatch& patch = patches[i];
   if (auto bad = bad_emissivity(static_cast<Eigen::Index>(i), patch.emissivity)) return bad;
   if (const auto* held = std::get_if<HeldAt>(&patch.given)) {
-    if (held->kelvin >= 0 && std::isfinite(held->kelvin)) return std::nullopt;
-    return invalid("patch ", i, ": temperature ", held->kelvin, " K is not at least 0");
+    if (!(held->kelvin >= 0)) return invalid("patch ", i, ": temperature ", held->kelvin, " K is not at least 0");
+    if (std::isfinite(emissive_power(held->kelvin))) return std::nullopt;
+    return invalid("patch ", i, ": temperature ", held->kelvin, " K: its emissive power overflows");
   }
   if (const auto* flux = std::get_if<NetFlux>(&patch.given)) {
     if (std::isfinite(flux->watts_per_square_metre)) return std::nullopt;
@@ -92,14 +102,20 @@ Exchange exchange_of(const Eigen::MatrixXd& factors, const std::vector<GreyPatch
   return exchange;
 }
 
-/// |J − exact J| ≤ scale · w, w > 0 and (I − P) w > 0: NOTES.md §7. Nothing where that cannot be shown.
+Error undetermined() {
+  return error(ErrorCode::not_converged,
+               "some patches see neither a temperature nor an opening, not even by way of others: their fluxes alone "
+               "do not determine how warm they are");
+}
+
+/// |J − exact J| ≤ scale · w, w > 0 and (I − P) w > 0: NOTES.md §7.
 struct Bound {
   double scale = 0;
   Eigen::VectorXd weights;
 };
 
-std::optional<Bound> bound_of(const DenseFactors& p, const Eigen::VectorXd& source, const Eigen::VectorXd& radiosity,
-                              const Eigen::VectorXd& weights) {
+Result<Bound> bound_of(const DenseFactors& p, const Eigen::VectorXd& source, const Eigen::VectorXd& radiosity,
+                       const Eigen::VectorXd& weights) {
   const Eigen::Index n = source.size();
   Eigen::MatrixXd columns(n, 3);
   columns << radiosity, radiosity.cwiseAbs(), weights;
@@ -107,14 +123,14 @@ std::optional<Bound> bound_of(const DenseFactors& p, const Eigen::VectorXd& sour
   const double gamma = gamma_bound(p.roundings() + 4), widen = 1 + 2 * gamma;
   Bound bound{0, weights};
   for (Eigen::Index i = 0; i < n; ++i) {
-    if (!(weights(i) > 0)) return std::nullopt;
+    if (!(weights(i) > 0)) return undetermined();
     const double margin = (weights(i) - product(i, 2)) - gamma * (weights(i) + product(i, 2)) * widen;
-    if (!(margin > 0)) return std::nullopt;
+    if (!(margin > 0)) return undetermined();
     const double residual = (source(i) - radiosity(i)) + product(i, 0);
     const double magnitude = std::abs(source(i)) + std::abs(radiosity(i)) + product(i, 1);
     bound.scale = std::max(bound.scale, (std::abs(residual) + gamma * magnitude * widen) / margin * widen);
   }
-  if (!std::isfinite(bound.scale)) return std::nullopt;
+  if (!std::isfinite(bound.scale)) return invalid("radiosities or their bounds overflow");
   return bound;
 }
 
@@ -139,7 +155,6 @@ Result<HeatExchange> completed(const FormFactors& factors, const std::vector<Gre
     } else if (const auto* flux = std::get_if<NetFlux>(&patch.given)) {
       result.net_flux(i) = flux->watts_per_square_metre;
       result.emissive_power(i) = irradiance + result.net_flux(i) / emissivity;
-      wrong = 0;
     } else {
       const Eigen::Index other = std::get<SheetWith>(patch.given).other_side;
       const double back = patches[static_cast<std::size_t>(other)].emissivity, both = emissivity + back;
@@ -147,6 +162,9 @@ Result<HeatExchange> completed(const FormFactors& factors, const std::vector<Gre
       result.net_flux(i) = emissivity * back / both * (product(other, 0) - irradiance);
       wrong += bound.scale * product(other, 2) * (1 + gamma) + gamma * product(other, 1);
     }
+    // What arrives may be below nothing by its error, where all that is seen is at 0 K.
+    const double power = result.emissive_power(i);
+    if (power < 0 && -power <= wrong + gamma * std::abs(irradiance)) result.emissive_power(i) = 0;
     if (!(result.emissive_power(i) >= 0)) {
       return invalid("patch ", i, ": a net flux of ", result.net_flux(i), " W/m² draws more than arrives, ", irradiance,
                      " W/m²: no temperature emits less than nothing");
@@ -171,31 +189,28 @@ double temperature(double emissive_power) {
   return std::sqrt(std::sqrt(emissive_power / kStefanBoltzmann));
 }
 
-Result<HeatExchange> exchange_heat(const FormFactors& factors, const std::vector<GreyPatch>& patches) {
+Result<HeatExchange> exchange_heat(const FormFactors& factors, const std::vector<GreyPatch>& patches,
+                                   double row_excess) {
   const auto n = static_cast<Eigen::Index>(patches.size());
-  if (const auto bad = bad_factors(factors, n)) return *bad;
+  if (const auto bad = bad_factors(factors, n, row_excess)) return *bad;
   for (std::size_t i = 0; i < patches.size(); ++i) {
     if (const auto bad = bad_patch(patches, i)) return *bad;
   }
   Exchange exchange = exchange_of(factors.dense(), patches);
   const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n) - Eigen::MatrixXd(exchange.matrix);
-  const auto undetermined = [] {
-    return error(ErrorCode::not_converged,
-                 "some patches see neither a temperature nor an opening, not even by way of others: their fluxes alone "
-                 "do not determine how warm they are");
-  };
   const auto radiosity = solve_eigen_lu(matrix, exchange.source);
   if (!radiosity) return undetermined();
   const auto weights = solve_eigen_lu(matrix, Eigen::VectorXd::Ones(n));
   if (!weights) return undetermined();
   const auto bound = bound_of(DenseFactors(std::move(exchange.matrix)), exchange.source, radiosity->x, weights->x);
-  if (!bound) return undetermined();
+  if (!bound) return bound.error();
   return completed(factors, patches, radiosity->x, *bound);
 }
 
-Result<GebhartFactors> gebhart_factors(const FormFactors& factors, const Eigen::VectorXd& emissivity) {
+Result<GebhartFactors> gebhart_factors(const FormFactors& factors, const Eigen::VectorXd& emissivity,
+                                       double row_excess) {
   const Eigen::Index n = emissivity.size();
-  if (const auto bad = bad_factors(factors, n)) return *bad;
+  if (const auto bad = bad_factors(factors, n, row_excess)) return *bad;
   for (Eigen::Index i = 0; i < n; ++i) {
     if (const auto bad = bad_emissivity(i, emissivity(i))) return *bad;
   }
@@ -225,7 +240,7 @@ Result<ClosedEnclosure> closed_by(double environment_area, const FormFactors& fa
                                   double row_excess) {
   require(environment_area >= 0 && row_excess >= 0, "closed_by: area and excess are not negative");
   const Eigen::Index n = areas.size();
-  if (const auto bad = bad_factors(factors, n)) return *bad;
+  if (const auto bad = bad_factors(factors, n, row_excess)) return *bad;
   const Eigen::VectorXd sums = row_sums(factors);
   ClosedEnclosure closed{RowMatrix(n + 1, n + 1), Eigen::VectorXd(n + 1)};
   closed.factors.topLeftCorner(n, n) = factors.dense();
@@ -234,7 +249,6 @@ Result<ClosedEnclosure> closed_by(double environment_area, const FormFactors& fa
   for (Eigen::Index i = 0; i < n; ++i) {
     if (!(areas(i) > 0) || !std::isfinite(areas(i)))
       return invalid("patch ", i, ": area ", areas(i), " is not positive");
-    if (!(sums(i) <= 1 + row_excess)) return invalid("row ", i, " sums to ", sums(i), ", more than it can see");
     closed.factors(i, n) = std::max(0.0, 1 - sums(i));  // below zero by rounding only
     openings += areas(i) * closed.factors(i, n);
   }

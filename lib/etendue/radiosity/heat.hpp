@@ -54,12 +54,13 @@ struct HeatExchange {
 ///     J_i = ε_i σ T_i⁴ + (1 − ε_i) H_i   held at a temperature      J_i = q_i + H_i   with a net flux
 ///     H_i = Σ_j F_ij J_j                                                                     @eq IU.6-7, IU.6-9
 ///
-/// Domain    F_ij in [0, 1]. What rows lack of 1 is open to black space at 0 K; closed_by() puts an environment there
+/// Domain    F_ij in [0, 1], rows sum to no more than 1 + row_excess. What rows lack of 1 is open to black space at 0 K; closed_by() puts an environment there
 /// Accuracy  |J − exact J|, |q − exact q| within their bounds, proved (NOTES.md §7), for the doubles ε σ T⁴ and 1 − ε
-/// Errors    sizes, ε outside (0, 1], temperatures below 0, non-finite numbers; sheets that do not name each other; a flux
+/// Errors    sizes, rows above that, ε outside (0, 1], temperatures below 0, non-finite numbers; sheets that do not name each other; a flux
 ///           so negative that no temperature would do; not_converged: patches that see no temperature and no outside, so
 ///           that fluxes do not determine theirs
-[[nodiscard]] Result<HeatExchange> exchange_heat(const FormFactors& factors, const std::vector<GreyPatch>& patches);
+[[nodiscard]] Result<HeatExchange> exchange_heat(const FormFactors& factors, const std::vector<GreyPatch>& patches,
+                                                 double row_excess = 1e-6);
 
 /// Gebhart factors G_ij: of what i emits, the share that j absorbs, directly or after any number of reflections.
 ///
@@ -73,7 +74,8 @@ struct GebhartFactors {
 
 /// Errors    as exchange_heat(); rows with Σ_j F_ij (1 − ε_j) not below 1
 /// Source    Gebhart 1961, Surface temperature calculations in radiant surroundings of arbitrary complexity
-[[nodiscard]] Result<GebhartFactors> gebhart_factors(const FormFactors& factors, const Eigen::VectorXd& emissivity);
+[[nodiscard]] Result<GebhartFactors> gebhart_factors(const FormFactors& factors, const Eigen::VectorXd& emissivity,
+                                                     double row_excess = 1e-6);
 
 /// An open enclosure with one more patch, the last, that is all its openings look at.
 struct ClosedEnclosure {

@@ -48,6 +48,10 @@ Course::Standing Course::judged(const Eigen::MatrixXd& radiosity) {
         standing.exhausted && judgement_.rounding(c) > asked && judgement_.bound(c) <= 2 * judgement_.rounding(c);
   }
   if (first_excess_ == 0) first_excess_ = excess_;
+  if (best_.size() == 0 || excess_ < best_excess_) {
+    best_ = radiosity;
+    best_excess_ = excess_;
+  }
   return standing;
 }
 
@@ -64,6 +68,28 @@ bool Course::ends_with(const Eigen::MatrixXd& radiosity) {
   const bool stopped = !may_go_on();
   report_.status = stopped ? RadiosityStatus::stopped : RadiosityStatus::limit;
   return stopped || steps_left() <= 0;
+}
+
+void Course::stalled() {
+  if (best_excess_ < excess_) judged(best_);
+  report_.status = RadiosityStatus::stalled;
+}
+
+Eigen::VectorXd units(const Eigen::MatrixXd& values) {
+  Eigen::VectorXd unit(values.cols());
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    double largest = 0;
+    for (Eigen::Index i = 0; i < values.rows(); ++i) largest = std::max(largest, std::abs(values(i, c)));
+    unit(c) = largest > 0 && std::isfinite(largest) ? std::ldexp(1.0, std::ilogb(largest)) : 1;
+  }
+  return unit;
+}
+
+bool all_finite(const Eigen::MatrixXd& values) {
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values(k))) return false;
+  }
+  return true;
 }
 
 RadiosityReport Course::report() && {

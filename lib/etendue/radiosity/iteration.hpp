@@ -36,10 +36,10 @@ class Course {
   void count_sweep() { ++report_.passes; }
   Eigen::Index steps_left() const { return goal_.most_steps - report_.steps; }
   bool may_go_on() const;
-  /// Steps no longer help.
-  void stalled() { report_.status = RadiosityStatus::stalled; }
+  /// Steps no longer help: the best that was judged is returned.
+  void stalled();
 
-  /// What was last judged.
+  /// What was last judged, or the best where steps ended helping.
   RadiosityReport report() &&;
 
  private:
@@ -55,7 +55,14 @@ class Course {
   RadiosityReport report_;
   double excess_ = 0;
   double first_excess_ = 0;
+  Eigen::MatrixXd best_;
+  double best_excess_ = 0;
 };
+
+/// Of each channel a power of two near its largest value, or 1: iterations that form squares divide by it, exactly, so
+/// that watts and terawatts take the same steps.
+Eigen::VectorXd units(const Eigen::MatrixXd& values);
+bool all_finite(const Eigen::MatrixXd& values);
 
 void jacobi(Course& course);
 void gauss_seidel(Course& course);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unsupported/Eigen/IterativeSolvers>
+#include <utility>
 
 #include "etendue/radiosity/iteration.hpp"
 
@@ -82,8 +83,10 @@ void refine(Course& course, const Prepare& prepare) {
   for (double last = 0; !course.ends_with(radiosity); last = course.excess()) {
     if (last > 0 && course.excess() > kNoProgress * last) return course.stalled();
     Eigen::MatrixXd residuals = course.judgement().residuals;
+    const Eigen::VectorXd unit = units(residuals);
     Eigen::VectorXd scale(channels);  // so that no channel drowns in another
     for (Eigen::Index c = 0; c < channels; ++c) {
+      residuals.col(c) /= unit(c);
       const double norm = residuals.col(c).norm();
       scale(c) = norm > 0 ? norm : 1;
       residuals.col(c) /= scale(c);
@@ -96,10 +99,10 @@ void refine(Course& course, const Prepare& prepare) {
     const Eigen::VectorXd stacked = Eigen::Map<const Eigen::VectorXd>(residuals.data(), residuals.size());
     const Eigen::VectorXd found = method.solve(stacked);
     course.count(std::max<Eigen::Index>(1, method.iterations()));
-    for (Eigen::Index k = 0; k < found.size(); ++k) {
-      if (!std::isfinite(found(k))) return course.stalled();
-    }
-    for (Eigen::Index c = 0; c < channels; ++c) radiosity.col(c) += scale(c) * found.segment(c * n, n);
+    Eigen::MatrixXd next = radiosity;
+    for (Eigen::Index c = 0; c < channels; ++c) next.col(c) += unit(c) * (scale(c) * found.segment(c * n, n));
+    if (!all_finite(next)) return course.stalled();
+    radiosity = std::move(next);
   }
 }
 

@@ -22,6 +22,12 @@ Result<RepairedFactors> repaired(const RowMatrix& factors, const Eigen::VectorXd
   require(factors.rows() == n && factors.cols() == n, "repaired: one area a row of a square matrix");
   ExchangeMatrix exchanges(std::vector<double>(areas.data(), areas.data() + n));
   RepairedFactors result;
+  double defect = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double sum = 0;
+    for (Eigen::Index j = 0; j < n; ++j) sum += factors(i, j);
+    if (sum != 0) defect = std::max(defect, std::abs(1 - sum));
+  }
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = i; j < n; ++j) {
       const double there = areas(i) * factors(i, j), back = areas(j) * factors(j, i);
@@ -32,8 +38,12 @@ Result<RepairedFactors> repaired(const RowMatrix& factors, const Eigen::VectorXd
   }
   for (std::size_t tile = 0; tile < exchanges.layout().tiles(); ++tile) exchanges.close(tile, {});
   auto closed = repaired(exchanges, row_closure(exchanges));
-  if (!closed) return closed.error();
+  if (!closed) {
+    return Error{closed.error().code,
+                 closed.error().message + " (sums with the mean of A_i F_ij and A_j F_ji in place of both)"};
+  }
   result.report = closed->report;
+  result.report.defect_before = defect;
   result.factors.resize(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {

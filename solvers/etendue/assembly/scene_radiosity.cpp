@@ -13,8 +13,11 @@ namespace etendue {
 RadiosityEquation radiosity_equation(const Scene& scene, const ElementMesh& mesh,
                                      std::shared_ptr<const FormFactors> factors) {
   const auto n = static_cast<Eigen::Index>(mesh.elements.size());
-  RadiosityEquation equation{
-      std::move(factors), Eigen::MatrixXd(n, 3), Eigen::MatrixXd(n, 3), Eigen::VectorXd(n), {"red", "green", "blue"}};
+  RadiosityEquation equation{std::move(factors),
+                             Eigen::MatrixXd(n, 3),
+                             Eigen::MatrixXd(n, 3),
+                             Eigen::VectorXd(n),
+                             {"red channel", "green channel", "blue channel"}};
   const double square_metres = scene.metres_per_unit * scene.metres_per_unit;
   for (Eigen::Index i = 0; i < n; ++i) {
     const Element& element = mesh.elements[static_cast<std::size_t>(i)];

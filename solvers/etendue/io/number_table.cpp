@@ -8,6 +8,7 @@
 #include <cstring>
 #include <optional>
 #include <regex>
+#include <utility>
 #include <vector>
 
 #include "etendue/io/atomic_file.hpp"
@@ -32,12 +33,14 @@ std::string_view without_comment(std::string_view line) {
 Result<NumberTable> read_text(const fs::path& path, std::string_view text) {
   ReadErrors errors(path.string());
   std::vector<double> values;
-  std::size_t rows = 0, columns = 0, number = 0;
+  std::vector<std::size_t> lines;
+  std::size_t columns = 0, number = 0;
   for (const std::string_view raw : lines_of(text)) {
     ++number;
     const std::vector<std::string_view> words = words_of(without_comment(raw), ",; \t");
     if (words.empty()) continue;
-    if (rows++ == 0) columns = words.size();
+    if (lines.empty()) columns = words.size();
+    lines.push_back(number);
     if (words.size() != columns) {
       errors.add(number, "found " + std::to_string(words.size()) + " numbers, expected " + std::to_string(columns) +
                              " as in the first row");
@@ -55,10 +58,10 @@ Result<NumberTable> read_text(const fs::path& path, std::string_view text) {
     if (errors.count() > ReadErrors::kMostLines) break;
   }
   if (errors.count() > 0) return errors.error();
-  if (rows == 0) return bad_file(path, "holds no numbers");
-  return NumberTable{
-      Eigen::Map<const RowMatrix>(values.data(), static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)),
-      true};
+  if (lines.empty()) return bad_file(path, "holds no numbers");
+  const auto rows = static_cast<Eigen::Index>(lines.size());
+  return NumberTable{Eigen::Map<const RowMatrix>(values.data(), rows, static_cast<Eigen::Index>(columns)), true,
+                     std::move(lines)};
 }
 
 /// What a .npy says of its data.
@@ -128,7 +131,7 @@ Result<NumberTable> read_npy(const fs::path& path, const std::string& bytes) {
     return bad_file(path, "holds " + std::to_string((bytes.size() - layout->begin) / wide) + " numbers, expected " +
                               std::to_string(layout->rows) + " × " + std::to_string(layout->columns));
   }
-  NumberTable table{RowMatrix(layout->rows, layout->columns), false};
+  NumberTable table{RowMatrix(layout->rows, layout->columns), false, {}};
   for (Eigen::Index i = 0; i < layout->rows; ++i) {
     for (Eigen::Index j = 0; j < layout->columns; ++j) {
       const Eigen::Index at = layout->by_columns ? j * layout->rows + i : i * layout->columns + j;
@@ -166,15 +169,15 @@ Result<FactorsFile> read_factors(const fs::path& path) {
     auto matrix = read_market(path);
     if (!matrix) return matrix.error();
     if (matrix->rows() != matrix->cols()) return not_square(path, matrix->rows(), matrix->cols());
-    return FactorsFile{std::move(matrix).value(), true};
+    return FactorsFile{std::move(matrix).value(), true, {}};
   }
   auto table = read_number_table(path);
   if (!table) return table.error();
   if (table->values.rows() != table->values.cols()) {
     return not_square(path, table->values.rows(), table->values.cols());
   }
-  const bool decimal = table->decimal;
-  return FactorsFile{std::move(std::move(table).value().values), decimal};
+  NumberTable read = std::move(table).value();
+  return FactorsFile{std::move(read.values), read.decimal, std::move(read.lines)};
 }
 
 }  // namespace etendue

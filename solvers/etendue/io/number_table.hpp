@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "etendue/core/result.hpp"
 #include "etendue/radiosity/form_factors.hpp"
@@ -16,6 +17,7 @@ struct NumberTable {
   /// The file holds decimal digits, so each value may be off what was meant by half a unit in the last place; otherwise
   /// it holds the doubles themselves.
   bool decimal = false;
+  std::vector<std::size_t> lines = {};  ///< of text: where each row stands
 };
 
 /// Rows of numbers: NumPy's .npy (versions 1 to 3; <f8, >f8, <f4 or >f4; one or two dimensions, either order), or text in
@@ -29,7 +31,8 @@ struct NumberTable {
 /// Form factors as a file holds them: .mtx sparse, all else dense.
 struct FactorsFile {
   std::variant<RowMatrix, SparseRows> factors;
-  bool decimal = false;  ///< as in NumberTable
+  bool decimal = false;                 ///< as in NumberTable
+  std::vector<std::size_t> lines = {};  ///< as in NumberTable
   Eigen::Index size() const;
 };
 
