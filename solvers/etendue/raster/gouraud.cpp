@@ -1,32 +1,146 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/raster/gouraud.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
 #include "etendue/core/contract.hpp"
 
 namespace etendue {
 
-DepthRaster::DepthRaster(int columns, int rows, const Eigen::Array3d& background)
-    : picture_(columns, rows), inverse_depth_(picture_.pixels.size(), 0.0) {
+namespace {
+
+/// Rounds to multiples of 2^(e−50), where 2^e ≤ `largest` < 2^(e+1), by adding 3·2^(e+1), whose last place that is, and
+/// taking it away: numbers up to 2^(e+1) then have 51 bits, and so have sums of them and of their differences.
+class Multiples {
+ public:
+  Multiples() = default;
+  explicit Multiples(double largest) {
+    constexpr std::uint64_t kLeastExponent = 64, kHalf = std::uint64_t{1} << 51;
+    const std::uint64_t exponent = std::max(std::bit_cast<std::uint64_t>(largest) >> 52, kLeastExponent);
+    shift_ = std::bit_cast<double>(((exponent + 2) << 52) | kHalf);
+  }
+  double rounded(double value) const { return (value + shift_) - shift_; }
+
+ private:
+  double shift_ = 0;
+};
+
+/// What is interpolated along the rows of a triangle: v_k/w_k of three channels, and 1/w_k.
+struct Numerators {
+  std::array<std::array<double, 3>, 3> value;  // channel, corner; over the area
+  std::array<double, 3> inverse_depth;         // over the area
+  std::array<Multiples, 3> multiples;
+  std::array<double, 3> step;
+  double depth_step = 0;
+};
+
+double combined(const std::array<double, 3>& weight, const std::array<double, 3>& value) {
+  return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
+}
+
+template <Stepping kStepping>
+double placed(const Multiples& multiples, double value) {
+  return kStepping == Stepping::direct ? value : multiples.rounded(value);
+}
+
+template <Stepping kStepping>
+Numerators numerators(const std::array<GouraudVertex, 3>& triangle, const TriangleSpans& spans) {
+  Numerators all;
+  std::array<double, 3> grows{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    grows[k] = static_cast<double>(spans.step(k));
+    all.inverse_depth[k] = triangle[k].inverse_depth / spans.area();
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = triangle[k].value[static_cast<Eigen::Index>(c)] * triangle[k].inverse_depth;
+      largest = std::max(largest, std::abs(value));
+      all.value[c][k] = value / spans.area();
+    }
+    all.multiples[c] = Multiples(largest);
+    all.step[c] = placed<kStepping>(all.multiples[c], combined(grows, all.value[c]));
+  }
+  all.depth_step = combined(grows, all.inverse_depth);
+  return all;
+}
+
+/// Calls show(index, value) for each pixel of the triangle that is nearer than what `inverse_depth` holds, and keeps it.
+template <Stepping kStepping, class Show>
+void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, std::vector<double>& depths,
+          const Show& show) {
+  for (const auto& corner : triangle) require(corner.inverse_depth > 0, "draw: corners lie before the eye");
+  TriangleSpans spans({triangle[0].position, triangle[1].position, triangle[2].position}, window);
+  Span span;
+  if (!spans.next(span)) return;
+  const Numerators all = numerators<kStepping>(triangle, spans);
+  do {
+    std::array<double, 3> weight{};
+    for (std::size_t k = 0; k < 3; ++k) weight[k] = static_cast<double>(span.weight[k]);
+    const double nearness = combined(weight, all.inverse_depth);
+    std::array<double, 3> start{};
+    for (std::size_t c = 0; c < 3; ++c) start[c] = placed<kStepping>(all.multiples[c], combined(weight, all.value[c]));
+    std::array<double, 3> sum = start;
+    const std::size_t first =
+        static_cast<std::size_t>(span.row - window.first_row) * static_cast<std::size_t>(window.columns) +
+        static_cast<std::size_t>(span.begin);
+    const int count = span.end - span.begin;
+    for (int i = 0; i < count; ++i) {
+      const std::size_t index = first + static_cast<std::size_t>(i);
+      const double t = i;
+      if constexpr (kStepping != Stepping::incremental) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] = start[c] + t * all.step[c];
+      }
+      const double inverse_depth = nearness + t * all.depth_step;
+      if (inverse_depth > depths[index]) {
+        depths[index] = inverse_depth;
+        const double depth = 1 / inverse_depth;
+        show(index, Eigen::Array3d(sum[0] * depth, sum[1] * depth, sum[2] * depth));
+      }
+      if constexpr (kStepping == Stepping::incremental) {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += all.step[c];
+      }
+    }
+  } while (spans.next(span));
+}
+
+std::size_t pixels_of(const ScanWindow& window) {
+  return static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.last_row - window.first_row);
+}
+
+}  // namespace
+
+DepthRaster::DepthRaster(int columns, int rows, const Eigen::Array3d& background, Stepping stepping)
+    : stepping_(stepping), picture_(columns, rows), inverse_depth_(picture_.pixels.size(), 0.0) {
   for (auto& pixel : picture_.pixels) pixel = background;
 }
 
 void DepthRaster::draw(const std::array<GouraudVertex, 3>& triangle) {
-  for (const auto& corner : triangle) require(corner.inverse_depth > 0, "draw: corners lie before the eye");
-  const auto paint = [&](const Covered& pixel) {
-    double inverse_depth = 0;
-    Eigen::Array3d weighted = Eigen::Array3d::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double weight = pixel.weight[k] * triangle[k].inverse_depth;
-      inverse_depth += weight;
-      weighted += weight * triangle[k].value;
-    }
-    const auto index = static_cast<std::size_t>(pixel.row) * static_cast<std::size_t>(picture_.columns) +
-                       static_cast<std::size_t>(pixel.column);
-    if (!(inverse_depth > inverse_depth_[index])) return;
-    inverse_depth_[index] = inverse_depth;
-    picture_.pixels[index] = weighted / inverse_depth;
-  };
-  scan({triangle[0].position, triangle[1].position, triangle[2].position}, picture_.columns, picture_.rows, paint);
+  const ScanWindow window{picture_.columns, 0, picture_.rows};
+  const auto show = [this](std::size_t index, const Eigen::Array3d& value) { picture_.pixels[index] = value; };
+  switch (stepping_) {
+    case Stepping::direct:
+      return fill<Stepping::direct>(triangle, window, inverse_depth_, show);
+    case Stepping::direct_on_multiples:
+      return fill<Stepping::direct_on_multiples>(triangle, window, inverse_depth_, show);
+    case Stepping::incremental:
+      return fill<Stepping::incremental>(triangle, window, inverse_depth_, show);
+  }
+}
+
+FacetRaster::FacetRaster(const ScanWindow& window)
+    : window_(window),
+      inverse_depth_(pixels_of(window), 0.0),
+      weights_(pixels_of(window), Eigen::Array3d::Zero()),
+      facet_(pixels_of(window), kNoFacet) {}
+
+void FacetRaster::draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet) {
+  fill<Stepping::direct>(triangle, window_, inverse_depth_, [&](std::size_t index, const Eigen::Array3d& value) {
+    weights_[index] = value;
+    facet_[index] = facet;
+  });
 }
 
 }  // namespace etendue

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/raster/scan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -23,7 +22,7 @@ Point snapped(const Vec2& corner) {
 }
 
 // Twice the signed area of (from, to, point); positive on the inner side of a triangle wound like x towards y.
-std::int64_t edge(const Point& from, const Point& to, const Point& point) {
+std::int64_t edge_value(const Point& from, const Point& to, const Point& point) {
   return (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x);
 }
 
@@ -32,43 +31,84 @@ bool owns_its_points(const Point& from, const Point& to) {
   return to.y < from.y || (to.y == from.y && to.x > from.x);
 }
 
-// Index of the first pixel whose centre is not before `coordinate`.
-int first_pixel(std::int64_t coordinate, int count) {
+// Index of the first pixel, from `first` to `last`, whose centre is not before `coordinate`.
+int first_pixel(std::int64_t coordinate, int first, int last) {
   const std::int64_t shifted = coordinate - kSubpixels / 2;
   const std::int64_t up = shifted > 0 ? (shifted + kSubpixels - 1) / kSubpixels : 0;
-  return static_cast<int>(std::min<std::int64_t>(up, count));
+  return static_cast<int>(std::clamp<std::int64_t>(up, first, last));
+}
+
+struct Quotient {
+  std::int64_t floor, rest;  // rest in [0, divisor)
+};
+Quotient divided(std::int64_t value, std::int64_t divisor) {
+  Quotient result{value / divisor, value % divisor};
+  if (result.rest < 0) {
+    result.rest += divisor;
+    --result.floor;
+  }
+  return result;
 }
 
 }  // namespace
 
-void scan(const std::array<Vec2, 3>& corners, int columns, int rows, const std::function<void(const Covered&)>& body) {
+// On a left edge the first column inside is ⌈(least − value) / across⌉, on a right one the last is
+// ⌊(value − least) / −across⌋: quotients that change from row to row by a constant numerator, so that they are kept with
+// their remainders and never divided again.
+void TriangleSpans::Edge::begin() {
+  if (across == 0) return;
+  kind = across > 0 ? EdgeKind::left : EdgeKind::right;
+  divisor = across > 0 ? across : -across;
+  const Quotient first =
+      across > 0 ? divided(least - value + divisor - 1, divisor) : divided(value - least + divisor, divisor);
+  const Quotient growth = divided(across > 0 ? -down : down, divisor);
+  bound = first.floor;
+  remainder = first.rest;
+  bound_growth = growth.floor;
+  rest_growth = growth.rest;
+}
+
+TriangleSpans::TriangleSpans(const std::array<Vec2, 3>& corners, const ScanWindow& window) : columns_(window.columns) {
   std::array<Point, 3> p{snapped(corners[0]), snapped(corners[1]), snapped(corners[2])};
   std::array<std::size_t, 3> original{0, 1, 2};
-  if (edge(p[0], p[1], p[2]) < 0) {
+  std::int64_t area = edge_value(p[0], p[1], p[2]);
+  if (area < 0) {
     std::swap(p[1], p[2]);
     std::swap(original[1], original[2]);
+    area = -area;
   }
-  const std::int64_t area = edge(p[0], p[1], p[2]);
   if (area == 0) return;
-
+  area_ = static_cast<double>(area);
   const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
   const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
-  const int last_column = first_pixel(right + 1, columns);
-  const int last_row = first_pixel(bottom + 1, rows);
-  std::array<std::int64_t, 3> least{};  // what the edge function must reach: 0 on an owned edge, 1 otherwise
-  for (std::size_t k = 0; k < 3; ++k) least[k] = owns_its_points(p[(k + 1) % 3], p[(k + 2) % 3]) ? 0 : 1;
+  if (first_pixel(left, 0, window.columns) >= first_pixel(right + 1, 0, window.columns)) return;
+  row_ = first_pixel(top, window.first_row, window.last_row);
+  last_row_ = first_pixel(bottom + 1, window.first_row, window.last_row);
+  if (row_ >= last_row_) return;
+  const Point centre{kSubpixels / 2, row_ * kSubpixels + kSubpixels / 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
+    Edge& edge = edges_[k];
+    edge.corner = original[k];
+    edge.value = edge_value(from, to, centre);
+    edge.across = (from.y - to.y) * kSubpixels;
+    edge.down = (to.x - from.x) * kSubpixels;
+    edge.least = owns_its_points(from, to) ? 0 : 1;
+    edge.begin();
+    step_[edge.corner] = edge.across;
+  }
+}
 
-  for (int row = first_pixel(top, rows); row < last_row; ++row) {
-    for (int column = first_pixel(left, columns); column < last_column; ++column) {
-      const Point centre{column * kSubpixels + kSubpixels / 2, row * kSubpixels + kSubpixels / 2};
-      Covered pixel{column, row, {}};
-      bool inside = true;
-      for (std::size_t k = 0; k < 3; ++k) {  // the edge opposite to corner k
-        const std::int64_t value = edge(p[(k + 1) % 3], p[(k + 2) % 3], centre);
-        inside = inside && value >= least[k];
-        pixel.weight[original[k]] = static_cast<double>(value) / static_cast<double>(area);
+void scan(const std::array<Vec2, 3>& corners, int columns, int rows, const std::function<void(const Covered&)>& body) {
+  TriangleSpans spans(corners, {columns, 0, rows});
+  for (Span span; spans.next(span);) {
+    for (int column = span.begin; column < span.end; ++column) {
+      Covered pixel{column, span.row, {}};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t value = span.weight[k] + spans.step(k) * (column - span.begin);
+        pixel.weight[k] = static_cast<double>(value) / spans.area();
       }
-      if (inside) body(pixel);
+      body(pixel);
     }
   }
 }
