@@ -12,6 +12,7 @@
 #include "memory.hpp"
 #include "outputs.hpp"
 #include "progress.hpp"
+#include "raster_render.hpp"
 #include "ray_tree_output.hpp"
 #include "render_report.hpp"
 #include "stop.hpp"
@@ -35,7 +36,8 @@ constexpr std::chrono::seconds kPreviewPause{1};
 /// Refuses a picture that this machine cannot hold, before it is begun.
 Result<Done> check_room(const RenderRequest& request, const Camera& camera) {
   const PixelWindow window = request.render.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
-  const double bytes = kBytesAPixel + kBytesAFact * static_cast<double>(request.render.facts.size());
+  const double bytes = (request.by_raster() ? kBytesAShadedPixel : 0) + kBytesAPixel +
+                       kBytesAFact * static_cast<double>(request.render.facts.size());
   return check_memory(
       {static_cast<double>(window.columns()) * window.rows() * bytes,
        "a picture of " + std::to_string(window.columns()) + " × " + std::to_string(window.rows()) + " pixels needs",
@@ -143,9 +145,7 @@ Result<Rendering> rendered(const RenderRequest& request, const SceneFile& file, 
 
 int render(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
   RenderRequest request;
-  request.render.limits.depth = 12;
-  request.render.sampling.samples_per_side = 0;  // as the scheme is used to
-  Options options(kName, "Render a scene by recursive ray tracing.");
+  Options options(kName, "Render a scene by recursive ray tracing, or by rasteriser.");
   declare(options, request);
   if (const auto code = options.parse(arguments, out, err)) return *code;
   if (const auto complaint = settle(request)) return options.usage_error(err, *complaint);
@@ -167,6 +167,7 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
       return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
+  if (request.by_raster()) return render_by_raster(request, file, out, err);
   if (const auto missing = embree_missing(); missing && request.accelerator_kind() == AcceleratorKind::embree)
     return fail(err, kName, *missing);
   const auto accelerator = make_accelerator(file.scene, request.accelerator_kind());

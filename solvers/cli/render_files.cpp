@@ -22,11 +22,21 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "etendue-rendering-1\n";
 
+ImageMetadata raster_metadata(const RenderRequest& request, const SceneFile& file) {
+  return {{"etendue:version", version()},
+          {"etendue:method", "rasteriser"},
+          {"etendue:scene", file.scene.name},
+          {"etendue:scene_hash", file.hash},
+          {"etendue:shading", request.shading_text()},
+          {"etendue:samples_per_side", std::to_string(request.render.sampling.samples_per_side)}};
+}
+
 /// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also
 /// has the time of writing (capDate), which OpenImageIO adds.
 ImageMetadata metadata(const RenderRequest& request, const SceneFile& file, const Rendering& rendering) {
   const auto done = std::count(rendering.row_done.begin(), rendering.row_done.end(), char{1});
   const std::string rows = std::to_string(done) + " of " + std::to_string(rendering.row_done.size());
+  if (request.by_raster()) return raster_metadata(request, file);
   ImageMetadata facts{{"etendue:version", version()},
                       {"etendue:method", "recursive ray tracing"},
                       {"etendue:scene", file.scene.name},
@@ -141,7 +151,9 @@ Error unfit(const fs::path& path, const std::string& what) {
 RenderFiles render_files(const RenderRequest& request, bool complete) {
   const std::string stem = output_stem(request.common.output, request.scene).string();
   const std::string name = stem + (complete ? "" : ".incomplete");
-  return {name + ".exr", name + ".png", stem + ".resume", 1, {}};
+  RenderFiles files{name + ".exr", name + ".png", stem + ".resume", 1, {}, {}, {}};
+  if (request.line) files.svg = name + ".row-" + std::to_string(request.line->row) + ".svg";
+  return files;
 }
 
 std::vector<fs::path> render_outputs(const RenderRequest& request) {
@@ -150,6 +162,9 @@ std::vector<fs::path> render_outputs(const RenderRequest& request) {
   const RenderFiles whole = render_files(request, true), stopped = render_files(request, false);
   std::vector<fs::path> all{whole.exr, whole.png, stopped.exr, stopped.png, whole.saved};
   if (!request.preview.empty()) all.push_back(request.preview);
+  for (const fs::path& svg : {whole.svg, stopped.svg}) {
+    if (!svg.empty()) all.push_back(svg);
+  }
   return all;
 }
 
@@ -163,9 +178,15 @@ Result<RenderFiles> write_rendering(const RenderRequest& request, const SceneFil
   add_facts(facts, how, displayed.scale);
   files.scale = displayed.scale;
   files.bright = brightness(displayed.picture);
-  const auto png = encode_image(files.png, displayed.picture, facts);
+  facts.emplace_back("etendue:overflow", request.overflow);
+  const auto png = encode_image(files.png, limited(displayed.picture, request.overflow_treatment()), facts);
   if (!png) return png.error();
   std::vector<NewFile> all{*exr, *png};
+  if (request.line) {
+    const ScanLine line = scan_line(rendering.image, request.line->row, request.line->first, request.line->last);
+    files.jumps = jumps(line.intensities);
+    all.push_back({files.svg, to_svg(line)});
+  }
   if (!rendering.complete) all.push_back({files.saved, state_of(request, file, rendering)});
   if (const auto written = write_files(all); !written) return written.error();
   if (rendering.complete && request.resume) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "etendue/image/exposure.hpp"
+#include "etendue/image/scan_line.hpp"
 #include "etendue/io/scene_reader.hpp"
 #include "render_request.hpp"
 
@@ -15,7 +16,9 @@ struct RenderFiles {
   std::filesystem::path exr, png;
   std::filesystem::path saved;  ///< what --resume goes on from
   double scale = 1;             ///< what the PNG's values are multiplied by
-  Brightness bright;            ///< of the PNG, before values above 1 are cut
+  Brightness bright;            ///< of the PNG, before values above 1 are treated
+  std::filesystem::path svg;    ///< of --scan-line; empty where there is none
+  Jumps jumps;                  ///< along that line
 };
 
 /// The files' names, when complete or when stopped.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <sstream>
 #include <vector>
 
@@ -19,6 +20,8 @@ constexpr int kMostWavelengths = 401;  // a part a nanometre
 constexpr int kMostColumns = 1 << 14;
 constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
 constexpr int kLongestSide = 65536;      // of a scene's "resolution"
+constexpr int kUsualDepth = 12;
+constexpr double kUsualCreaseDeg = 60;  // of TessellationOptions
 constexpr int kUsualSamples = 2, kUsualAdaptiveSamples = 4;
 
 std::vector<std::string> parts(const std::string& text, char separator) {
@@ -116,7 +119,74 @@ Shadows shadows_named(const std::string& kind, const std::string& cure) {
   return shadows;
 }
 
+/// What was asked of the other method.
+std::optional<std::string> of_the_other_method(const RenderRequest& request) {
+  std::vector<std::string> strange;
+  const auto note = [&](bool given, const char* option) {
+    if (given) strange.emplace_back(option);
+  };
+  if (!request.by_raster()) {
+    note(!request.shading.empty(), "--shading");
+    note(!request.vertex_normals.empty(), "--vertex-normals");
+    note(request.facets > 0, "--facets");
+    note(request.crease_deg >= 0, "--crease");
+    if (strange.empty()) return std::nullopt;
+    return "option '" + strange.front() + "' is for --method raster: rays meet the surfaces themselves";
+  }
+  const RenderRequest usual;
+  note(request.render.limits.depth != kUsualDepth, "--depth");
+  note(request.render.limits.cutoff != 0, "--cutoff");
+  note(request.sampling != usual.sampling, "--sampling");
+  note(request.threshold.has_value(), "--threshold");
+  note(request.seed != usual.seed, "--seed");
+  note(request.filter != usual.filter, "--filter");
+  note(request.filter_width > 0, "--filter-width");
+  note(request.shadows != usual.shadows, "--shadows");
+  note(request.acne_cure != usual.acne_cure, "--acne-cure");
+  note(request.render.wavelengths > 0, "--wavelengths");
+  note(request.facts.has_value(), "--aov");
+  note(request.accelerator != usual.accelerator, "--accelerator");
+  note(request.pixel.has_value(), "--ray-tree");
+  note(request.crop.has_value(), "--crop");
+  note(!request.preview.empty(), "--preview");
+  note(request.resume, "--resume");
+  if (strange.empty()) return std::nullopt;
+  return "option '" + strange.front() + "' is for --method raytrace: the rasteriser follows no rays";
+}
+
+std::optional<std::string> settle_line(RenderRequest& request, int columns, int rows) {
+  const auto values = numbers<int>(*request.scan_line, ',');
+  const std::size_t count = values ? values->size() : 0;
+  const int row = count > 0 ? (*values)[0] : -1;
+  const int first = count == 3 ? (*values)[1] : 0, last = count == 3 ? (*values)[2] : columns;
+  if ((count != 1 && count != 3) || row < 0 || row >= rows || first < 0 || first >= last || last > columns) {
+    return unlike("--scan-line", *request.scan_line,
+                  "ROW or ROW,FIRST,LAST with ROW from 0 to " + std::to_string(rows - 1) +
+                      " and 0 <= FIRST < LAST <= " + std::to_string(columns));
+  }
+  request.line = RenderRequest::LinePart{row, first, last};
+  return std::nullopt;
+}
+
 }  // namespace
+
+ShadingOptions RenderRequest::shading_options() const {
+  ShadingOptions options;
+  if (shading == "flat") options.shading = Shading::flat;
+  if (shading == "gouraud") options.shading = Shading::gouraud;
+  if (shading == "dot") options.shading = Shading::dot;
+  if (vertex_normals == "equal") options.weight = NormalWeight::equal;
+  if (vertex_normals == "area") options.weight = NormalWeight::area;
+  if (facets > 0) options.net.facets = facets;
+  if (crease_deg >= 0) options.net.crease_angle = std::min(crease_deg / 180, 1.0) * std::numbers::pi;
+  options.samples = render.sampling.samples_per_side;
+  return options;
+}
+
+Overflow RenderRequest::overflow_treatment() const {
+  if (overflow == "scale-image") return Overflow::scale_image;
+  return overflow == "scale-pixel" ? Overflow::scale_pixel : Overflow::clamp;
+}
 
 AcceleratorKind RenderRequest::accelerator_kind() const {
   if (accelerator == "spheres") return AcceleratorKind::bounding_spheres;
@@ -139,6 +209,13 @@ std::string RenderRequest::filter_text() const {
          " wide";
 }
 
+std::string RenderRequest::shading_text() const {
+  const ShadingOptions options = shading_options();
+  return (shading.empty() ? "phong" : shading) + ", " + std::to_string(options.net.facets) + " facets, normals by " +
+         (vertex_normals.empty() ? "angle" : vertex_normals) + ", creases of " +
+         shortest(crease_deg < 0 ? kUsualCreaseDeg : crease_deg) + "°";
+}
+
 std::string RenderRequest::settings(const Camera& camera) const {
   std::string text = std::to_string(camera.columns) + " × " + std::to_string(camera.rows) + ", depth " +
                      std::to_string(render.limits.depth) + ", cutoff " + shortest(render.limits.cutoff) + ", " +
@@ -155,6 +232,7 @@ std::string RenderRequest::settings(const Camera& camera) const {
 }
 
 std::optional<std::string> settle(RenderRequest& request) {
+  if (const auto wrong = of_the_other_method(request)) return wrong;
   Sampling& sampling = request.render.sampling;
   if (request.sampling == "jittered") sampling.scheme = SamplingScheme::jittered;
   if (request.sampling == "adaptive") sampling.scheme = SamplingScheme::adaptive;
@@ -214,11 +292,35 @@ std::optional<std::string> settle_size(RenderRequest& request, Camera& camera) {
     }
     request.render.crop = PixelWindow{(*edges)[0], (*edges)[1], (*edges)[2], (*edges)[3]};
   }
+  if (request.scan_line) {
+    const PixelWindow window = request.render.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
+    return settle_line(request, window.columns(), window.rows());
+  }
   return std::nullopt;
 }
 
 void declare(Options& options, RenderRequest& request) {
+  request.render.limits.depth = kUsualDepth;
+  request.render.sampling.samples_per_side = 0;  // as the scheme is used to
   options.argument("SCENE", "scene file (JSON)", request.scene);
+  options.choice(
+      "--method", {"raytrace", "raster"},
+      "by recursive ray tracing, or by projecting triangles with a depth buffer: no reflection, refraction or "
+      "shadows (default: raytrace)",
+      request.method);
+  options.choice(
+      "--shading", {"flat", "gouraud", "phong", "dot"},
+      "raster: one intensity a facet; intensities, normals, or the products N·L and R·V interpolated from the "
+      "corners (default: phong)",
+      request.shading);
+  options.integer("--facets", "N", "raster: facets around a curved surface (default: 48)", request.facets,
+                  kFewestFacets, kMostFacets);
+  options.choice("--vertex-normals", {"angle", "equal", "area"},
+                 "raster: how much a facet's normal counts at its corner: by its angle there, each once, by its area "
+                 "(default: angle)",
+                 request.vertex_normals);
+  options.real("--crease", "DEGREES", "raster: edges of meshes that bend by more stay visible (default: 60)",
+               request.crease_deg, 0, 180);
   options.text("--size", "COLUMNSxROWS", "size of the picture (default: the scene's); keeps the horizontal angle",
                request.size);
   options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
@@ -266,6 +368,15 @@ void declare(Options& options, RenderRequest& request) {
                  "embree: triangles proposed in single precision (default: bvh)",
                  request.accelerator);
   add_tone(options, request.tone, "1");
+  options.choice(
+      "--overflow", {"clamp", "scale-image", "scale-pixel"},
+      "what becomes of values above 1 in the PNG: cut off; the whole picture divided by its largest value; a "
+      "pixel divided by its own (default: clamp)",
+      request.overflow);
+  options.text("--scan-line", "ROW[,FIRST,LAST]",
+               "draw the luminances of a row, from column FIRST to before LAST, and how the eye perceives them (Mach "
+               "bands), as NAME.row-ROW.svg",
+               request.scan_line);
   options.text("--ray-tree", "COLUMN,ROW",
                "no picture: print the tree of rays of one pixel, also as --json (--output NAME.dot: draw it); "
                "short for the command ray-tree",
@@ -291,6 +402,9 @@ void declare(Options& options, RenderRequest& request) {
       "--output "
       "corner.exr");
   options.example("etendue render scenes/mirrors/scene.json --ray-tree 250,200");
+  options.example(
+      "etendue render scenes/highlights/scene.json --method raster --shading gouraud --scan-line 100 --output "
+      "gouraud.png");
 }
 
 }  // namespace etendue::cli

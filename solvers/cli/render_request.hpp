@@ -7,7 +7,9 @@
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/core/result.hpp"
+#include "etendue/image/exposure.hpp"
 #include "etendue/raytracing/render.hpp"
+#include "etendue/view/shaded_view.hpp"
 #include "options.hpp"
 #include "tone_options.hpp"
 
@@ -19,6 +21,11 @@ struct RenderRequest {
   std::filesystem::path scene;
   std::filesystem::path preview;  ///< empty: none
   RenderOptions render;
+  std::string method = "raytrace";
+  std::string shading, vertex_normals;  ///< empty: not given, phong and angle
+  int facets = 0;                       ///< 0: not given
+  double crease_deg = -1;               ///< negative: not given
+  std::string overflow = "clamp";
   std::string accelerator = "bvh";
   std::string sampling = "uniform";
   std::string filter = "box";
@@ -28,17 +35,26 @@ struct RenderRequest {
   int seed = 0;
   ToneOptions tone;
   std::optional<std::string> pixel;  ///< of --ray-tree
-  std::optional<std::string> size, threshold, crop, facts;
-  int columns = 0;  ///< 0: as the scene says
+  std::optional<std::string> size, threshold, crop, facts, scan_line;
+  struct LinePart {
+    int row, first, last;
+  };
+  std::optional<LinePart> line;  ///< of --scan-line, after settle_size()
+  int columns = 0;               ///< 0: as the scene says
   bool progress = false;
   bool resume = false;
 
+  bool by_raster() const { return method == "raster"; }
+  ShadingOptions shading_options() const;
+  Overflow overflow_treatment() const;
   AcceleratorKind accelerator_kind() const;
   /// All that the picture depends on, besides the scene file: "500 × 500, depth 12, …".
   std::string settings(const Camera& camera) const;
   /// "uniform 2 × 2", "adaptive to 4 × 4, contrast 0.25, 0.2, 0.4": of pictures and reports.
   std::string sampling_text() const;
   std::string filter_text() const;
+  /// "phong, 48 facets, normals by angle, creases of 60°"
+  std::string shading_text() const;
 };
 
 void declare(Options& options, RenderRequest& request);
@@ -46,7 +62,7 @@ void declare(Options& options, RenderRequest& request);
 /// Options that contradict each other or cannot be read, whatever the scene; else fills request.render with them.
 [[nodiscard]] std::optional<std::string> settle(RenderRequest& request);
 
-/// The same of --columns, --size and --crop, which need the scene's camera; it gets its new size.
+/// The same of --columns, --size, --crop and --scan-line, which need the scene's camera; it gets its new size.
 [[nodiscard]] std::optional<std::string> settle_size(RenderRequest& request, Camera& camera);
 
 }  // namespace etendue::cli

@@ -22,4 +22,15 @@ struct Brightness {
 };
 [[nodiscard]] Brightness brightness(const Image& image);
 
+/// What becomes of values above one where a picture is shown.                                       @eq IU.2.8, IU.2.9
+enum class Overflow {
+  clamp,        ///< each channel is cut off
+  scale_image,  ///< all are divided by the picture's largest value: keeps all ratios
+  scale_pixel,  ///< a pixel by its own largest channel: keeps its hue and saturation
+};
+
+/// The picture with all values in [0, 1], by lib/etendue/reflectance/overflow.hpp. Negative values, which a filter with negative
+/// weights leaves beside edges, become 0 first.
+[[nodiscard]] Image limited(const Image& image, Overflow overflow);
+
 }  // namespace etendue

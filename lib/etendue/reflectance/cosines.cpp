@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/reflectance/cosines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/optics/reflect.hpp"
+#include "etendue/optics/unit.hpp"
+#include "etendue/reflectance/ambient.hpp"
+
+namespace etendue {
+
+LightCosines light_cosines(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer) {
+  require(is_unit(to_viewer), "light_cosines: to_viewer is a unit vector");
+  return {normal.dot(to_light), reflect(-to_light, normal).dot(to_viewer)};
+}
+
+Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen::Array3d& ambient_light,
+                                     std::span<const LightCosines> cosines,
+                                     std::span<const Eigen::Array3d> intensities) {
+  require(cosines.size() == intensities.size(), "reflection_of_cosines: an intensity for each light");
+  require(std::isfinite(surface.exponent) && surface.exponent >= 1,
+          "reflection_of_cosines: exponent is finite and at least one");
+  Eigen::Array3d sum = ambient(surface.k_a, ambient_light);
+  for (std::size_t i = 0; i < cosines.size(); ++i) {
+    if (!(cosines[i].incidence > 0)) continue;
+    const double mirror = std::clamp(cosines[i].mirror, 0.0, 1.0);
+    const double directed = surface.k_s == 0 ? 0 : surface.k_s * std::pow(mirror, surface.exponent);
+    sum += intensities[i] * (surface.k_d * std::min(cosines[i].incidence, 1.0) + directed);
+  }
+  return sum;
+}
+
+}  // namespace etendue

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/meshing/tessellation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <string>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/geometry/meeting.hpp"
+#include "etendue/geometry/predicates.hpp"
+#include "etendue/text/utf8.hpp"
+
+namespace etendue {
+
+namespace {
+
+constexpr double kSmooth = std::numbers::pi;
+constexpr double kSharp = 0;
+
+enum class Ends { open, closed };
+
+/// A net of (columns + 1) × (rows + 1) points, the last column or row being the first again where closed. Triangles
+/// with two equal corners (at poles) are left out.
+Mesh net(int columns, int rows, Ends around, Ends along, const std::function<Vec3(int, int)>& point) {
+  Mesh mesh;
+  const int across = around == Ends::closed ? columns : columns + 1, down = along == Ends::closed ? rows : rows + 1;
+  for (int j = 0; j < down; ++j) {
+    for (int i = 0; i < across; ++i) mesh.vertices.push_back(point(i, j));
+  }
+  const auto index = [&](int i, int j) {
+    const std::uint32_t first = static_cast<std::uint32_t>(j % down) * static_cast<std::uint32_t>(across);
+    return first + static_cast<std::uint32_t>(i % across);
+  };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto& v = mesh.vertices;
+    if (v[a] != v[b] && v[b] != v[c] && v[c] != v[a]) mesh.triangles.push_back({a, b, c});
+  };
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const std::uint32_t a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1), d = index(i, j + 1);
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+  return mesh;
+}
+
+/// Points that are one point become one vertex: a pole.
+Mesh with_one_vertex_for(Mesh mesh, const Vec3& pole) {
+  const auto first = std::find(mesh.vertices.begin(), mesh.vertices.end(), pole);
+  const auto kept = static_cast<std::uint32_t>(first - mesh.vertices.begin());
+  for (auto& triangle : mesh.triangles) {
+    for (auto& corner : triangle) {
+      if (mesh.vertices[corner] == pole) corner = kept;
+    }
+  }
+  return mesh;
+}
+
+struct Circle {
+  Vec3 x, y;
+  int count;
+  Vec3 at(int i) const {
+    const double turn = 2 * std::numbers::pi * i / count;
+    return std::cos(turn) * x + std::sin(turn) * y;
+  }
+};
+
+Circle around(const Vec3& axis, int count) {
+  const TangentFrame frame = tangent_frame(axis.normalized());
+  return {frame.u, frame.v, count};
+}
+
+struct Tessellator {
+  const TessellationOptions& options;
+  Tessellation result{{}, kSmooth};
+  std::string refused = {};
+
+  int half() const { return std::max(2, options.facets / 2); }
+
+  void operator()(const Sphere& sphere) {
+    const int rows = half();
+    const Circle circle = around(Vec3::UnitZ(), options.facets);
+    const Vec3 up = sphere.radius * Vec3::UnitZ();
+    result.mesh = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
+      if (j == 0) return sphere.centre - up;
+      if (j == rows) return sphere.centre + up;
+      const double rise = std::numbers::pi * j / rows;
+      return sphere.centre + std::sin(rise) * sphere.radius * circle.at(i) - std::cos(rise) * up;
+    });
+    result.mesh =
+        with_one_vertex_for(with_one_vertex_for(std::move(result.mesh), sphere.centre - up), sphere.centre + up);
+  }
+
+  /// As many along the side as make the facets about square. The apex of a cone stays several vertices: its
+  /// sides have no common normal there.
+  void side(const Vec3& base, const Vec3& top, double base_radius, double top_radius) {
+    const Vec3 axis = top - base;
+    const Circle circle = around(axis, options.facets);
+    const double width = 2 * std::numbers::pi * std::max(base_radius, top_radius) / options.facets;
+    const int rows = static_cast<int>(std::clamp(std::round(axis.norm() / width), 1.0, 1.0 * options.facets));
+    result.mesh = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
+      const double t = static_cast<double>(j) / rows;
+      return base + t * axis + (base_radius + t * (top_radius - base_radius)) * circle.at(i);
+    });
+  }
+  void operator()(const Cylinder& c) { side(c.base, c.top, c.radius, c.radius); }
+  void operator()(const Cone& c) { side(c.base, c.top, c.base_radius, c.top_radius); }
+
+  void operator()(const Torus& torus) {
+    const Vec3 axis = torus.axis.normalized();
+    const Circle circle = around(axis, options.facets);
+    const int tube = std::max(kFewestFacets, half());
+    result.mesh = net(options.facets, tube, Ends::closed, Ends::closed, [&](int i, int j) -> Vec3 {
+      const double turn = 2 * std::numbers::pi * j / tube;
+      return torus.centre + (torus.ring + torus.tube * std::cos(turn)) * circle.at(i) +
+             torus.tube * std::sin(turn) * axis;
+    });
+  }
+
+  void operator()(const Disc& disc) {
+    const Circle circle = around(disc.normal, options.facets);
+    result.mesh = net(options.facets, 1, Ends::closed, Ends::open,
+                      [&](int i, int j) -> Vec3 { return disc.centre + (j == 1 ? 0 : disc.radius) * circle.at(i); });
+  }
+
+  void operator()(const Box& box) {
+    result.crease_angle = kSharp;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 sign((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
+      result.mesh.vertices.emplace_back(box.centre + box.axes * sign.cwiseProduct(box.half_edges));
+    }
+    result.mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                             {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    if (box.axes.determinant() < 0) {
+      for (auto& triangle : result.mesh.triangles) std::swap(triangle[1], triangle[2]);
+    }
+  }
+
+  void operator()(const Triangle& triangle) {
+    result.crease_angle = kSharp;
+    result.mesh = {{triangle.a, triangle.b, triangle.c}, {{0, 1, 2}}};
+  }
+
+  void operator()(const Polygon& polygon) {
+    result.crease_angle = kSharp;
+    result.mesh.vertices = polygon.vertices();
+    const TangentFrame frame = tangent_frame(polygon.normal());
+    std::vector<Vec2> flat;
+    for (const Vec3& vertex : polygon.vertices()) flat.emplace_back(vertex.dot(frame.u), vertex.dot(frame.v));
+    std::vector<std::uint32_t> rest(flat.size());
+    std::iota(rest.begin(), rest.end(), 0U);
+    while (rest.size() > 3) cut_ear(flat, rest);
+    result.mesh.triangles.push_back({rest[0], rest[1], rest[2]});
+  }
+
+  /// Cuts off a corner that turns left and whose triangle has no other corner in it: there is one in every simple polygon.
+  /// Where flattening has rounded corners onto one line, any corner will do: its triangle has no area.
+  void cut_ear(const std::vector<Vec2>& flat, std::vector<std::uint32_t>& rest) {
+    const std::size_t n = rest.size();
+    std::size_t ear = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t a = rest[(k + n - 1) % n], b = rest[k], c = rest[(k + 1) % n];
+      const bool is_free = std::none_of(rest.begin(), rest.end(), [&](std::uint32_t p) {
+        return p != a && p != b && p != c && orientation(flat[a], flat[b], flat[p]) >= 0 &&
+               orientation(flat[b], flat[c], flat[p]) >= 0 && orientation(flat[c], flat[a], flat[p]) >= 0;
+      });
+      if (!is_free || orientation(flat[a], flat[b], flat[c]) <= 0) continue;
+      ear = k;
+      break;
+    }
+    result.mesh.triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+
+  void operator()(const Mesh& mesh) { result = {mesh, options.crease_angle}; }
+
+  void operator()(const BezierSurface& surface) {
+    const int n = half();
+    result.mesh = net(n, n, Ends::open, Ends::open, [&](int i, int j) -> Vec3 {
+      return at(surface, static_cast<double>(i) / n, static_cast<double>(j) / n).point;
+    });
+  }
+
+  void operator()(const Plane&) { refused = "is an infinite plane"; }
+  void operator()(const Quadric&) { refused = "is a quadric"; }
+  void operator()(const PolygonWithHoles&) { refused = "is a polygon with holes"; }
+};
+
+}  // namespace
+
+Result<Tessellation> tessellated(const Object& object, const TessellationOptions& options) {
+  require(options.facets >= kFewestFacets && options.facets <= kMostFacets, "tessellated: a number of facets in range");
+  Tessellator tessellator{options};
+  std::visit(tessellator, object.shape);
+  if (!tessellator.refused.empty()) {
+    return Error{ErrorCode::invalid_input, (object.place.empty() ? "" : object.place + ": ") + "object '" +
+                                               printable(object.name) + "' " + tessellator.refused +
+                                               ", which has no triangles to be drawn with: use --method raytrace"};
+  }
+  return std::move(tessellator.result);
+}
+
+}  // namespace etendue

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/view/shaded_view.hpp"
+
+#include <algorithm>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/raster/projection.hpp"
+#include "etendue/raytracing/shade.hpp"
+#include "etendue/reflectance/cosines.hpp"
+#include "etendue/text/utf8.hpp"
+#include "etendue/view/radiosity_view.hpp"
+
+namespace etendue {
+
+namespace {
+
+constexpr int kLargestPicture = 1 << 16;  // samples along an edge: half of kLargestCoordinate, as Projection wants
+constexpr int kBand = 64;                 // rows of samples that are drawn at a time: they stay in the cache
+
+/// A triangle of the scene, its normals on the viewer's side.
+struct Facet {
+  std::size_t object;
+  std::array<Vec3, 3> corners, normals;
+  Vec3 normal;
+
+  Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3; }
+};
+
+Vec3 mixed(const Eigen::Array3d& weights, const std::array<Vec3, 3>& values) {
+  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
+}
+
+Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& options) {
+  std::vector<Facet> facets;
+  for (std::size_t object = 0; object < scene.objects.size(); ++object) {
+    const auto net = tessellated(scene.objects[object], options.net);
+    if (!net) return net.error();
+    const Mesh& mesh = net->mesh;
+    const auto normals = facet_normals(mesh);
+    const auto at_corners = corner_normals(mesh, options.weight, net->crease_angle);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (normals[t].isZero(0)) continue;  // without area: nothing is seen of it
+      const auto& ends = mesh.triangles[t];
+      Facet facet{
+          object, {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]}, at_corners[t], normals[t]};
+      if (facet.normal.dot(scene.camera.eye - facet.corners[0]) < 0) {
+        facet.normal = -facet.normal;
+        for (Vec3& normal : facet.normals) normal = -normal;
+      }
+      facets.push_back(facet);
+    }
+  }
+  return facets;
+}
+
+/// The local model at points of facets.
+class Shader {
+ public:
+  Shader(const Scene& scene, Shading shading) : scene_(scene), shading_(shading) {
+    for (const Light& light : scene.lights)
+      intensities_.push_back(std::visit([](const auto& each) { return each.intensity; }, light));
+  }
+
+  /// What is known of a facet before its pixels are.
+  void prepare(const Facet& facet, std::vector<Rgb>& colours, std::vector<LightCosines>& cosines) const {
+    if (shading_ == Shading::flat) colours.push_back(reflected(facet, facet.centre(), facet.normal));
+    for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k)
+      colours.push_back(reflected(facet, facet.corners[k], facet.normals[k]));
+    for (std::size_t k = 0; k < 3 && shading_ == Shading::dot; ++k) {
+      for (const Light& light : scene_.lights) {
+        const Vec3 to_light = towards(light, facet.corners[k]).to_light;
+        const bool at_light = to_light.isZero(0);  // the corner is the light: it comes from all sides
+        cosines.push_back(at_light ? LightCosines{}
+                                   : light_cosines(facet.normals[k], to_light, to_viewer(facet.corners[k])));
+      }
+    }
+  }
+
+  Rgb reflected(const Facet& facet, const Vec3& point, const Vec3& normal) const {
+    static thread_local std::vector<IncidentLight> arriving;  // asked for at every pixel
+    arriving.clear();
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+      const Vec3 to_light = towards(scene_.lights[i], point).to_light;
+      if (normal.dot(to_light) > 0) arriving.push_back({to_light, intensities_[i], 1});
+    }
+    return local_reflection(surface(facet, point), normal, to_viewer(point), scene_.ambient, arriving) +
+           material(facet).emission;
+  }
+
+  Rgb interpolated(const Facet& facet, const Eigen::Array3d& weights, const LightCosines* at_corners) const {
+    static thread_local std::vector<LightCosines> cosines;
+    cosines.clear();
+    const std::size_t lights = intensities_.size();
+    for (std::size_t i = 0; i < lights; ++i) {
+      const LightCosines &a = at_corners[i], &b = at_corners[lights + i], &c = at_corners[2 * lights + i];
+      cosines.push_back({weights[0] * a.incidence + weights[1] * b.incidence + weights[2] * c.incidence,
+                         weights[0] * a.mirror + weights[1] * b.mirror + weights[2] * c.mirror});
+    }
+    return reflection_of_cosines(surface(facet, mixed(weights, facet.corners)), scene_.ambient, cosines, intensities_) +
+           material(facet).emission;
+  }
+
+ private:
+  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
+
+  LocalReflection surface(const Facet& facet, const Vec3& point) const {
+    const Material& of = material(facet);
+    const SurfaceColour colour = colour_at(of, point);
+    return {colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
+  }
+
+  Vec3 to_viewer(const Vec3& point) const {
+    const Vec3 way = scene_.camera.eye - point;
+    const double length = way.norm();
+    return length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
+  }
+
+  const Scene& scene_;
+  Shading shading_;
+  std::vector<Rgb> intensities_;
+};
+
+/// Facets on the picture, and what each pixel of it then shows.
+class Picture {
+ public:
+  Picture(const Scene& scene, const ShadingOptions& options, const std::vector<Facet>& facets)
+      : scene_(scene), options_(options), facets_(facets), shader_(scene, options.shading) {}
+
+  void project(const Projection& projection) {
+    std::vector<std::array<GouraudVertex, 3>> parts;
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      const auto& corners = facets_[f].corners;
+      projection.project({projection.seen(corners[0], {1, 0, 0}), projection.seen(corners[1], {0, 1, 0}),
+                          projection.seen(corners[2], {0, 0, 1})},
+                         parts);
+      for (const auto& part : parts) seen_.push_back({part, static_cast<std::uint32_t>(f)});
+      shader_.prepare(facets_[f], colours_, cosines_);
+    }
+  }
+
+  /// The picture's rows [first, last).
+  void draw(int first, int last, Image& image) const {
+    const int n = options_.samples;
+    const ScanWindow window{image.columns * n, first * n, last * n};
+    FacetRaster raster(window);
+    for (const SeenFacet& seen : seen_) {
+      const auto [high, low] =
+          std::minmax({seen.part[0].position.y(), seen.part[1].position.y(), seen.part[2].position.y()});
+      if (low >= window.first_row && high <= window.last_row) raster.draw(seen.part, seen.facet);
+    }
+    for (int row = first; row < last; ++row) {
+      for (int column = 0; column < image.columns; ++column) {
+        Rgb sum = Rgb::Zero();
+        for (int down = 0; down < n; ++down) {
+          for (int across = 0; across < n; ++across) sum += at(raster, column * n + across, row * n + down);
+        }
+        image.at(column, row) = sum / (n * n);
+      }
+    }
+  }
+
+ private:
+  struct SeenFacet {
+    std::array<GouraudVertex, 3> part;
+    std::uint32_t facet;
+  };
+
+  Rgb at(const FacetRaster& raster, int column, int row) const {
+    const std::uint32_t f = raster.facet(column, row);
+    if (f == kNoFacet) return scene_.background;
+    const Facet& facet = facets_[f];
+    const Eigen::Array3d& weights = raster.weights(column, row);
+    switch (options_.shading) {
+      case Shading::flat:
+        return colours_[f];
+      case Shading::gouraud: {
+        const Rgb* corners = &colours_[std::size_t{3} * f];
+        return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+      }
+      case Shading::dot:
+        return shader_.interpolated(facet, weights, cosines_.data() + 3 * scene_.lights.size() * f);
+      case Shading::phong:
+        break;
+    }
+    const Vec3 sum = mixed(weights, facet.normals);
+    const double length = sum.norm();  // zero only half way between opposite normals
+    return shader_.reflected(facet, mixed(weights, facet.corners), length > 0 ? Vec3(sum / length) : facet.normal);
+  }
+
+  const Scene& scene_;
+  const ShadingOptions& options_;
+  const std::vector<Facet>& facets_;
+  Shader shader_;
+  std::vector<SeenFacet> seen_;
+  std::vector<Rgb> colours_;           // one of each facet, or three
+  std::vector<LightCosines> cosines_;  // of each facet, corner and light
+};
+
+double diagonal(const std::vector<Facet>& facets) {
+  Eigen::AlignedBox3d box;
+  for (const Facet& facet : facets) {
+    for (const Vec3& corner : facet.corners) box.extend(corner);
+  }
+  return box.isEmpty() ? 1 : box.diagonal().norm();
+}
+
+/// "'a', 'b' and 3 more": of the materials that fulfil a condition and that an object is made of.
+template <class Condition>
+std::string materials_with(const Scene& scene, const Condition& condition) {
+  constexpr int kNamed = 3;
+  std::string names;
+  int count = 0;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const bool used = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                  [&](const Object& object) { return object.material == m; });
+    if (!used || !condition(scene.materials[m])) continue;
+    if (++count <= kNamed) names += (count > 1 ? ", '" : "'") + printable(scene.materials[m].name) + "'";
+  }
+  return count > kNamed ? names + " and " + std::to_string(count - kNamed) + " more" : names;
+}
+
+}  // namespace
+
+Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options, const Execution& execution) {
+  require(options.samples >= 1, "view_shaded: at least one sample a pixel");
+  const Camera& camera = scene.camera;
+  const auto frame = camera_frame(camera);
+  if (!frame) return frame.error();
+  if (std::max(camera.columns, camera.rows) > kLargestPicture / options.samples) {
+    return Error{ErrorCode::invalid_input, "camera: " + std::to_string(camera.columns) + " × " +
+                                               std::to_string(camera.rows) + " pixels are, with their samples, more " +
+                                               "than " + std::to_string(kLargestPicture) + " along an edge"};
+  }
+  const auto facets = facets_of(scene, options);
+  if (!facets) return facets.error();
+  const Projection projection(*frame, camera.columns * options.samples, camera.rows * options.samples,
+                              kNearPlane * diagonal(*facets));
+  Picture picture(scene, options, *facets);
+  picture.project(projection);
+  ShadedView view{Image(camera.columns, camera.rows), facets->size()};
+  const int rows = std::max(1, kBand / options.samples);
+  const auto bands = static_cast<std::size_t>((camera.rows + rows - 1) / rows);
+  const auto draw = [&](std::size_t band) {
+    const int first = static_cast<int>(band) * rows;
+    picture.draw(first, std::min(first + rows, camera.rows), view.image);
+  };
+  if (!parallel_for(bands, execution, draw)) return Error{ErrorCode::stopped, "the picture was stopped"};
+  return view;
+}
+
+std::vector<std::string> left_out(const Scene& scene) {
+  std::vector<std::string> all;
+  const std::string mirrors = materials_with(scene, [](const Material& m) { return m.k_r > 0 || m.fresnel; });
+  const std::string clear = materials_with(scene, [](const Material& m) { return m.k_t > 0; });
+  if (!mirrors.empty()) all.push_back("reflection (k_r of " + mirrors + ")");
+  if (!clear.empty()) all.push_back("refraction (k_t of " + clear + ")");
+  if (!scene.lights.empty()) all.emplace_back("shadows");
+  const bool has_area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
+    return std::holds_alternative<RectangleLight>(light) || std::holds_alternative<SphereLight>(light);
+  });
+  if (has_area) all.emplace_back("the areas of lights");
+  if (scene.camera.lens_radius > 0) all.emplace_back("depth of field");
+  return all;
+}
+
+}  // namespace etendue

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "etendue/execution/execution.hpp"
+#include "etendue/geometry/vertex_normals.hpp"
+#include "etendue/image/image.hpp"
+#include "etendue/meshing/tessellation.hpp"
+
+namespace etendue {
+
+/// What is computed where on a net of polygons, and what is interpolated from there.
+enum class Shading {
+  flat,     ///< one intensity a facet, at its centre, with its own normal                     @eq IU.3.1
+  gouraud,  ///< intensities at the corners, interpolated                                      @eq IU.3.2b
+  phong,    ///< normals at the corners, interpolated and made unit vectors again              @eq IU.3.3, G4
+  dot,      ///< N·L and R·V at the corners, interpolated: reflection_of_cosines()             @eq IU.3.4
+};
+
+struct ShadingOptions {
+  Shading shading = Shading::phong;
+  NormalWeight weight = NormalWeight::angle;  ///< the same however polygons are cut into triangles
+  TessellationOptions net;
+  int samples = 2;  ///< samples × samples centres a pixel, averaged
+};
+
+struct ShadedView {
+  Image image;             ///< linear, not limited
+  std::size_t facets = 0;  ///< triangles of the scene, seen or not
+};
+
+/// Memory that view_shaded() takes for a pixel, at most [bytes].
+
+inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
+
+/// A picture of the scene by rasteriser: every surface as triangles, nearest ones by depth buffer, the local model of
+/// illumination with all lights, nothing that takes a further ray.                                      @eq IU.3.2a
+///
+///     I = E + local_reflection(N, V, lights)      N by `shading`, turned to the viewer's side with its facet
+///
+/// Symbols   as for local_illumination(), which the ray tracer uses; a light with an area counts as its middle. Values are
+///           interpolated on the surface, so perspective does not bend them
+/// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1
+/// Returns   the same bits for any number of threads; what left_out() says is not in it
+/// Errors    those of camera_frame() and tessellated(); a picture that is too large; ErrorCode::stopped, between bands of rows
+[[nodiscard]] Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options,
+                                             const Execution& execution = {});
+
+/// What of a scene view_shaded() leaves out, a phrase each: "reflection (k_r of 'mirror')".
+[[nodiscard]] std::vector<std::string> left_out(const Scene& scene);
+
+}  // namespace etendue
