@@ -179,7 +179,11 @@ Result<RenderFiles> write_rendering(const RenderRequest& request, const SceneFil
   files.scale = displayed.scale;
   files.bright = brightness(displayed.picture);
   facts.emplace_back("etendue:overflow", request.overflow);
-  const auto png = encode_image(files.png, limited(displayed.picture, request.overflow_treatment()), facts);
+  // What an exposure has made infinite is refused as it is, by name of its pixel.
+  const auto& pixels = displayed.picture.pixels;
+  const bool finite = std::all_of(pixels.begin(), pixels.end(), [](const Rgb& p) { return p.isFinite().all(); });
+  const auto png = encode_image(
+      files.png, finite ? limited(displayed.picture, request.overflow_treatment()) : displayed.picture, facts);
   if (!png) return png.error();
   std::vector<NewFile> all{*exr, *png};
   if (request.line) {

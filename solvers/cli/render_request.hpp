@@ -15,6 +15,8 @@
 
 namespace etendue::cli {
 
+inline constexpr int kUsualTreeDepth = 12;
+
 /// What `etendue render` is asked for: options as typed, and what they mean (after settle()).
 struct RenderRequest {
   CommonOptions common;

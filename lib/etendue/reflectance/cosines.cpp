@@ -5,15 +5,15 @@
 #include <cmath>
 
 #include "etendue/core/contract.hpp"
-#include "etendue/optics/reflect.hpp"
 #include "etendue/optics/unit.hpp"
 #include "etendue/reflectance/ambient.hpp"
 
 namespace etendue {
 
 LightCosines light_cosines(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer) {
-  require(is_unit(to_viewer), "light_cosines: to_viewer is a unit vector");
-  return {normal.dot(to_light), reflect(-to_light, normal).dot(to_viewer)};
+  require(is_unit(normal) && is_unit(to_light) && is_unit(to_viewer), "light_cosines: all vectors are unit vectors");
+  const double incidence = normal.dot(to_light);
+  return {incidence, 2 * incidence * normal.dot(to_viewer) - to_light.dot(to_viewer)};
 }
 
 Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen::Array3d& ambient_light,

@@ -130,11 +130,12 @@ void DepthRaster::draw(const std::array<GouraudVertex, 3>& triangle) {
   }
 }
 
-FacetRaster::FacetRaster(const ScanWindow& window)
-    : window_(window),
-      inverse_depth_(pixels_of(window), 0.0),
-      weights_(pixels_of(window), Eigen::Array3d::Zero()),
-      facet_(pixels_of(window), kNoFacet) {}
+void FacetRaster::look(const ScanWindow& window) {
+  window_ = window;
+  inverse_depth_.assign(pixels_of(window), 0.0);
+  weights_.resize(pixels_of(window));
+  facet_.assign(pixels_of(window), kNoFacet);
+}
 
 void FacetRaster::draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet) {
   fill<Stepping::direct>(triangle, window_, inverse_depth_, [&](std::size_t index, const Eigen::Array3d& value) {

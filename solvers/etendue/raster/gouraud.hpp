@@ -66,12 +66,14 @@ inline constexpr std::uint32_t kNoFacet = 0xffffffff;
 /// lies: what is computed from it is computed once a pixel, whatever was drawn there before.
 class FacetRaster {
  public:
-  explicit FacetRaster(const ScanWindow& window);
+  explicit FacetRaster(const ScanWindow& window) { look(window); }
+  /// Empties it for other rows; memory that is there is used again.
+  void look(const ScanWindow& window);
   /// `value` of the corners are barycentric coordinates in triangle `facet`, of which this is all or a part.
   void draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet);
 
   std::uint32_t facet(int column, int row) const { return facet_[index(column, row)]; }
-  /// Barycentric coordinates on the surface, corrected for perspective.
+  /// Barycentric coordinates on the surface, corrected for perspective; of no meaning where there is no facet.
   const Eigen::Array3d& weights(int column, int row) const { return weights_[index(column, row)]; }
 
  private:

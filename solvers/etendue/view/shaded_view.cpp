@@ -61,58 +61,55 @@ class Shader {
       intensities_.push_back(std::visit([](const auto& each) { return each.intensity; }, light));
   }
 
+  std::size_t lights() const { return intensities_.size(); }
+
   /// What is known of a facet before its pixels are.
   void prepare(const Facet& facet, std::vector<Rgb>& colours, std::vector<LightCosines>& cosines) const {
-    if (shading_ == Shading::flat) colours.push_back(reflected(facet, facet.centre(), facet.normal));
-    for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k)
-      colours.push_back(reflected(facet, facet.corners[k], facet.normals[k]));
-    for (std::size_t k = 0; k < 3 && shading_ == Shading::dot; ++k) {
-      for (const Light& light : scene_.lights) {
-        const Vec3 to_light = towards(light, facet.corners[k]).to_light;
-        const bool at_light = to_light.isZero(0);  // the corner is the light: it comes from all sides
-        cosines.push_back(at_light ? LightCosines{}
-                                   : light_cosines(facet.normals[k], to_light, to_viewer(facet.corners[k])));
-      }
+    if (shading_ == Shading::flat) {
+      see(facet.centre(), facet.normal, cosines);
+      colours.push_back(reflected(facet, facet.centre(), cosines));
     }
+    for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k) {
+      see(facet.corners[k], facet.normals[k], cosines);
+      colours.push_back(reflected(facet, facet.corners[k], cosines));
+    }
+    if (shading_ != Shading::dot) return cosines.clear();
+    for (std::size_t k = 0; k < 3; ++k) append(facet.corners[k], facet.normals[k], cosines);
   }
 
-  Rgb reflected(const Facet& facet, const Vec3& point, const Vec3& normal) const {
-    static thread_local std::vector<IncidentLight> arriving;  // asked for at every pixel
-    arriving.clear();
-    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-      const Vec3 to_light = towards(scene_.lights[i], point).to_light;
-      if (normal.dot(to_light) > 0) arriving.push_back({to_light, intensities_[i], 1});
-    }
-    return local_reflection(surface(facet, point), normal, to_viewer(point), scene_.ambient, arriving) +
-           material(facet).emission;
-  }
-
-  Rgb interpolated(const Facet& facet, const Eigen::Array3d& weights, const LightCosines* at_corners) const {
-    static thread_local std::vector<LightCosines> cosines;
+  /// The scalar products of all lights at a point, into `cosines`.
+  void see(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     cosines.clear();
-    const std::size_t lights = intensities_.size();
-    for (std::size_t i = 0; i < lights; ++i) {
-      const LightCosines &a = at_corners[i], &b = at_corners[lights + i], &c = at_corners[2 * lights + i];
+    append(point, normal, cosines);
+  }
+
+  /// Those between the corners of a facet.
+  void mix(const Eigen::Array3d& weights, const LightCosines* at_corners, std::vector<LightCosines>& cosines) const {
+    cosines.clear();
+    for (std::size_t i = 0; i < lights(); ++i) {
+      const LightCosines &a = at_corners[i], &b = at_corners[lights() + i], &c = at_corners[2 * lights() + i];
       cosines.push_back({weights[0] * a.incidence + weights[1] * b.incidence + weights[2] * c.incidence,
                          weights[0] * a.mirror + weights[1] * b.mirror + weights[2] * c.mirror});
     }
-    return reflection_of_cosines(surface(facet, mixed(weights, facet.corners)), scene_.ambient, cosines, intensities_) +
-           material(facet).emission;
+  }
+
+  Rgb reflected(const Facet& facet, const Vec3& point, const std::vector<LightCosines>& cosines) const {
+    const Material& of = scene_.materials[scene_.objects[facet.object].material];
+    const SurfaceColour colour = colour_at(of, point);
+    const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
+    return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_) + of.emission;
   }
 
  private:
-  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
-
-  LocalReflection surface(const Facet& facet, const Vec3& point) const {
-    const Material& of = material(facet);
-    const SurfaceColour colour = colour_at(of, point);
-    return {colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
-  }
-
-  Vec3 to_viewer(const Vec3& point) const {
+  void append(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     const Vec3 way = scene_.camera.eye - point;
     const double length = way.norm();
-    return length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
+    const Vec3 to_viewer = length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
+    for (const Light& light : scene_.lights) {
+      const Vec3 to_light = towards(light, point).to_light;
+      // A point that is the light itself has none of it: it would come from everywhere.
+      cosines.push_back(to_light.isZero(0) ? LightCosines{} : light_cosines(normal, to_light, to_viewer));
+    }
   }
 
   const Scene& scene_;
@@ -142,7 +139,9 @@ class Picture {
   void draw(int first, int last, Image& image) const {
     const int n = options_.samples;
     const ScanWindow window{image.columns * n, first * n, last * n};
-    FacetRaster raster(window);
+    static thread_local FacetRaster raster(window);  // bands are drawn one after the other: memory is asked for once
+    raster.look(window);
+    std::vector<LightCosines> cosines;
     for (const SeenFacet& seen : seen_) {
       const auto [high, low] =
           std::minmax({seen.part[0].position.y(), seen.part[1].position.y(), seen.part[2].position.y()});
@@ -152,7 +151,7 @@ class Picture {
       for (int column = 0; column < image.columns; ++column) {
         Rgb sum = Rgb::Zero();
         for (int down = 0; down < n; ++down) {
-          for (int across = 0; across < n; ++across) sum += at(raster, column * n + across, row * n + down);
+          for (int across = 0; across < n; ++across) sum += at(raster, column * n + across, row * n + down, cosines);
         }
         image.at(column, row) = sum / (n * n);
       }
@@ -165,26 +164,25 @@ class Picture {
     std::uint32_t facet;
   };
 
-  Rgb at(const FacetRaster& raster, int column, int row) const {
+  Rgb at(const FacetRaster& raster, int column, int row, std::vector<LightCosines>& cosines) const {
     const std::uint32_t f = raster.facet(column, row);
     if (f == kNoFacet) return scene_.background;
+    if (options_.shading == Shading::flat) return colours_[f];
     const Facet& facet = facets_[f];
     const Eigen::Array3d& weights = raster.weights(column, row);
-    switch (options_.shading) {
-      case Shading::flat:
-        return colours_[f];
-      case Shading::gouraud: {
-        const Rgb* corners = &colours_[std::size_t{3} * f];
-        return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-      }
-      case Shading::dot:
-        return shader_.interpolated(facet, weights, cosines_.data() + 3 * scene_.lights.size() * f);
-      case Shading::phong:
-        break;
+    if (options_.shading == Shading::gouraud) {
+      const Rgb* corners = &colours_[std::size_t{3} * f];
+      return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
     }
-    const Vec3 sum = mixed(weights, facet.normals);
-    const double length = sum.norm();  // zero only half way between opposite normals
-    return shader_.reflected(facet, mixed(weights, facet.corners), length > 0 ? Vec3(sum / length) : facet.normal);
+    const Vec3 point = mixed(weights, facet.corners);
+    if (options_.shading == Shading::dot) {
+      shader_.mix(weights, cosines_.data() + 3 * shader_.lights() * f, cosines);
+    } else {
+      const Vec3 sum = mixed(weights, facet.normals);
+      const double length = sum.norm();  // zero only half way between opposite normals
+      shader_.see(point, length > 0 ? Vec3(sum / length) : facet.normal, cosines);
+    }
+    return shader_.reflected(facet, point, cosines);
   }
 
   const Scene& scene_;
