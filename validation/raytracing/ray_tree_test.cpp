@@ -158,6 +158,31 @@ TEST(RayTree, WeighsARayByTheProductAlongItsPath) {
   EXPECT_GT(printed, 0.026);  // the printed product would have followed it
 }
 
+// CLAIM      IU.5.5 with absorbing bodies: what a body absorbs on the way counts in the weight, by the channel that keeps most, so that the
+//            adaptive limit ends what a dark body hides, and the error told for it holds.
+// ORACLE     closed form: k_t exp(−σ d) for a slab of thickness d that a ray crosses along its normal.
+// TOLERANCE  six roundings; none for what is followed.
+TEST(RayTree, WeighsWhatBodiesAbsorb) {
+  proves({"IU.5.5"}, Oracle::closed_form, "exp(-sigma d) along the path");
+  Scene scene;
+  scene.background = Rgb::Ones();
+  Material ink = specular(0, 0.5, 1.5);
+  ink.absorption = Rgb(3, 2, 5);
+  add(scene, Box{{0, 0, 0}, Mat3::Identity(), {2, 2, 0.5}}, ink);
+  const auto accelerator = make_accelerator(scene, AcceleratorKind::bounding_volumes);
+  const double first = 0.5, second = 0.25 * std::exp(-2.0);
+  for (const double cutoff : {0.0, 0.9 * second, 1.1 * second, 0.24, 0.51}) {
+    const RayTree tree = trace({{0.25, 0.5, 4}, {0, 0, -1}}, *accelerator, {5, cutoff});
+    ASSERT_EQ(tree.nodes.size(), cutoff > first ? 2u : 3u);
+    EXPECT_TRUE(near(tree.nodes[1].weight, first, 0));
+    if (cutoff > first) continue;
+    EXPECT_TRUE(near(tree.nodes[2].weight, second, 6 * kUnitRoundoff));
+    EXPECT_EQ(tree.nodes[2].end == RayEnd::below_cutoff, cutoff > second);
+    const double lost = 0.25 * std::exp(-2.0) - shade(tree, *accelerator).colour[1];
+    EXPECT_TRUE(within(std::abs(lost), (cutoff > second ? tree.nodes[2].weight : 0) + 8 * kUnitRoundoff));
+  }
+}
+
 // CLAIM      IU.5.3tir in the tree: under total internal reflection nothing is transmitted and the reflected ray
 //            carries k_r + k_t; the ray that meets the flat side of glass from inside below the critical angle does
 //            leave.

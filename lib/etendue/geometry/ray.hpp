@@ -15,6 +15,7 @@ struct Ray {
   Vec3 direction = Vec3::UnitZ();
   double t_min = 0;
   double t_max = std::numeric_limits<double>::infinity();
+  double time = 0;  ///< when it travels, for shapes that move
 
   Vec3 at(double t) const { return origin + t * direction; }
 };

@@ -49,6 +49,7 @@ struct Obstruction {
 ///
 /// Every accelerator (but Embree, embree.hpp) gives the same answers, bit for bit: the hit with the smallest t in (ray.t_min, ray.t_max); of
 /// equal t, the one of the smallest object index; of equal objects, the smallest part. Only the work differs.
+/// Objects that move are met where they are at ray.time, in [0, camera.shutter].
 /// Safe to ask from several threads at once.
 class Accelerator {
  public:

@@ -62,6 +62,7 @@ class RaySphereTest {
 
 BoundingSphere bounding_sphere(const Scene& scene, const Surface& surface, const Aabb& box) {
   const Shape& shape = scene.objects[surface.object].shape;
+  if (moves(scene, scene.objects[surface.object])) return around(corners_of(box));
   if (const auto* polygon = std::get_if<Polygon>(&shape)) return around(polygon->vertices());
   if (const auto* triangle = std::get_if<Triangle>(&shape)) {
     return around(std::array<Vec3, 3>{triangle->a, triangle->b, triangle->c});

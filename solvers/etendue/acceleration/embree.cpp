@@ -16,6 +16,7 @@
 #include "etendue/acceleration/bounding_volumes.hpp"
 #include "etendue/acceleration/search.hpp"
 #include "etendue/acceleration/single_ray.hpp"
+#include "etendue/acceleration/wide_tree.hpp"
 #endif
 
 namespace etendue {
@@ -115,9 +116,7 @@ struct Division {
 
   explicit Division(const Scene& scene) {
     for (const Surface& surface : surfaces(scene)) {
-      const Shape& shape = scene.objects[surface.object].shape;
-      const bool triangle = std::holds_alternative<Mesh>(shape) || std::holds_alternative<Triangle>(shape);
-      (triangle ? triangles : others).push_back(surface);
+      (triangle_of(scene, surface) ? triangles : others).push_back(surface);
     }
   }
 };

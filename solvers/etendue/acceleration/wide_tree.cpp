@@ -198,6 +198,7 @@ class Widener {
 
 std::optional<Triangle> triangle_of(const Scene& scene, const Surface& surface) {
   const Shape& shape = scene.objects[surface.object].shape;
+  if (moves(scene, scene.objects[surface.object])) return std::nullopt;
   if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->triangle(surface.part);
   if (const auto* triangle = std::get_if<Triangle>(&shape)) return *triangle;
   return std::nullopt;

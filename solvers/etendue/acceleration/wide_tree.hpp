@@ -53,7 +53,7 @@ struct WideTree {
   double unit = 1;
 };
 
-/// Of a triangle, or of one of a mesh.
+/// Of a triangle, or of one of a mesh, that stands still.
 [[nodiscard]] std::optional<Triangle> triangle_of(const Scene& scene, const Surface& surface);
 
 }  // namespace etendue

@@ -50,9 +50,10 @@ void read_gaze(const SceneNode& node, Camera& camera) {
   if (target) camera.gaze = *target - camera.eye;
 }
 
-/// A lens needs to know what is sharp.
-void read_lens(const SceneNode& node, Camera& camera) {
-  const auto lens = node.member("lens_radius"), focal = node.member("focal_distance");
+/// Lens and shutter; a lens needs to know what is sharp.
+void read_exposure(const SceneNode& node, Camera& camera) {
+  const auto lens = node.member("lens_radius"), focal = node.member("focal_distance"), shutter = node.member("shutter");
+  if (shutter) camera.shutter = shutter->number(kNonNegative).value_or(0);
   if (lens) camera.lens_radius = lens->number(kNonNegative).value_or(0);
   if (focal) camera.focal_distance = focal->number(kPositive).value_or(1);
   if (camera.lens_radius > 0 && !focal)
@@ -117,7 +118,7 @@ Camera read_camera(const SceneNode& node) {
     if (degrees) camera.horizontal_half_angle = *degrees / 2 * std::numbers::pi / 180;
   }
   if (const auto resolution = node.member("resolution")) read_resolution(*resolution, camera);
-  read_lens(node, camera);
+  read_exposure(node, camera);
   read_gaze(node, camera);
   if (node.errors().count() > errors_before) return camera;
   if (const auto frame = camera_frame(camera); !frame) node.complain(frame.error().message);

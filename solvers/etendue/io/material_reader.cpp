@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "etendue/optics/frost.hpp"
 #include "etendue/text/number_text.hpp"
 
 namespace etendue {
@@ -12,6 +13,7 @@ namespace {
 /// Phong exponents beyond tell nothing from a mirror; refractive indices beyond occur in no glass.
 constexpr Interval kExponent{1, 1e6};
 constexpr Interval kRefractiveIndex{0.1, 10};
+constexpr Interval kFrost{0, kMostFrost};
 /// ρ = 1 makes the radiosity equation of a closed room singular.
 constexpr Interval kReflectance{0, 1, false, true};
 
@@ -82,6 +84,7 @@ void read_inside(const SceneNode& node, double scale, Material& material) {
   if (const auto fresnel = node.member("fresnel")) material.fresnel = fresnel->truth().value_or(false);
   // per length of the file, whose unit need not be the scene's
   material.absorption = colour(node, "absorption", kNonNegative, Rgb::Zero()) / scale;
+  material.frost = number(node, "frost", kFrost, 0);
   if (const auto priority = node.member("priority")) {
     material.priority = static_cast<int>(priority->integer(-kMostPriority, kMostPriority).value_or(0));
   }

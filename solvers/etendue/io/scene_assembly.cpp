@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "etendue/io/camera_file.hpp"
 #include "etendue/io/curved_shape_reader.hpp"
@@ -115,9 +116,12 @@ class Assembly {
     const std::string name = prefix + (name_node ? name_node->text().value_or("") : node.pointer());
     const auto transform = node.member("transform");
     const Placement placement = transform ? compose(outer, read_transform(*transform)) : outer;
+    const Vec3 velocity = velocity_ + read_velocity(node, placement);
     if (*type == "group") {
+      const Vec3 of_others = std::exchange(velocity_, velocity);
       if (const auto children = node.member("children"))
         read_objects(*children, placement, name_node ? name + "/" : prefix);
+      velocity_ = of_others;
       return;
     }
     const auto material = read_material_name(node);
@@ -127,9 +131,9 @@ class Assembly {
     auto shape = read_shape(node, *type, placement);
     if (!shape || !material) return;
     const auto caps = closed ? caps_of(*shape) : std::vector<Cap>{};
-    scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where()});
+    scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where(), velocity});
     for (const Cap& cap : caps) {
-      scene_.objects.push_back({name + "/" + cap.end, cap.disc, *material, subdivision, node.where()});
+      scene_.objects.push_back({name + "/" + cap.end, cap.disc, *material, subdivision, node.where(), velocity});
     }
   }
 
@@ -138,10 +142,18 @@ class Assembly {
     if (!node.is(keys_of_any(object_types()))) return;
     if (const auto name = node.member("name")) (void)name->text();  // reported there, and so on
     if (const auto transform = node.member("transform")) (void)read_transform(*transform);
+    (void)read_velocity(node, outer);
     (void)read_material_name(node);
     (void)read_subdivision(node);
     read_numbers_of_shapes(node);
     if (const auto children = node.member("children")) read_objects(*children, outer, prefix);
+  }
+
+  /// In the coordinates of the object's own numbers: turned and scaled with them.
+  static Vec3 read_velocity(const SceneNode& node, const Placement& placement) {
+    const auto member = node.member("velocity");
+    const auto velocity = member ? member->vector() : std::nullopt;
+    return velocity ? placement.vector(*velocity) : Vec3::Zero();
   }
 
   std::optional<std::size_t> read_material_name(const SceneNode& node) {
@@ -191,7 +203,8 @@ class Assembly {
   const LoadedFiles& files_;
   SceneErrors& errors_;
   Scene scene_;
-  double file_scale_ = 1;  ///< from lengths of the file that is read to those of the scene
+  Vec3 velocity_ = Vec3::Zero();  ///< of the groups that are read
+  double file_scale_ = 1;         ///< from lengths of the file that is read to those of the scene
   std::map<std::string, std::size_t> material_index_;
 };
 

@@ -13,8 +13,9 @@ using Keys = std::vector<std::string>;
 
 /// A shape: what every shape has, and its own keys.
 KeySet shape(const char* type, const Keys& mandatory, const Keys& optional = {}) {
-  KeySet set{
-      type, {"type", "material"}, {"comment", "name", "transform", "elements", "element_size", "grading", "patches"}};
+  KeySet set{type,
+             {"type", "material"},
+             {"comment", "name", "transform", "velocity", "elements", "element_size", "grading", "patches"}};
   set.mandatory.insert(set.mandatory.end(), mandatory.begin(), mandatory.end());
   set.optional.insert(set.optional.end(), optional.begin(), optional.end());
   return set;
@@ -36,11 +37,11 @@ const std::vector<KeySet>& scene_key_sets() {
         "objects"}},
       {"camera",
        {"eye", "up", "horizontal_fov_deg", "resolution"},
-       {"comment", "look_at", "gaze", "lens_radius", "focal_distance"}},
+       {"comment", "look_at", "gaze", "lens_radius", "focal_distance", "shutter"}},
       {"material",
        {},
        {"comment", "k_d", "k_a", "k_s", "n", "k_r", "k_t", "eta", "fresnel", "dispersion", "absorption", "priority",
-        "rho", "emission", "pattern"}},
+        "frost", "rho", "emission", "pattern"}},
       {"cauchy", {"a"}, {"comment", "b", "c"}},
       {"sellmeier", {"strength", "resonance"}, {"comment"}},
       {"checkerboard_pattern", {"type", "k_d", "size"}, {"comment", "k_a", "origin", "u", "v"}},
@@ -61,7 +62,7 @@ const std::vector<KeySet>& scene_key_sets() {
       shape("bezier", {"control"}),
       shape("box", {}, {"low", "high", "centre", "size"}),
       shape("mesh", {"vertices"}, {"triangles", "quads"}),
-      {"group", {"type", "children"}, {"comment", "name", "transform"}},
+      {"group", {"type", "children"}, {"comment", "name", "transform", "velocity"}},
       {"translate", {"translate"}, {"comment"}},
       {"rotate", {"rotate"}, {"comment"}},
       {"rotation", {"axis", "angle_deg"}, {"comment"}},

@@ -34,9 +34,11 @@ Ray eye_ray(const CameraFrame& frame, const PicturePoint& point) {
 
 Ray sample_ray(const Camera& camera, const CameraFrame& frame, const PicturePoint& point, const SampleKey& key) {
   Ray ray = eye_ray(frame, point);
+  if (camera.shutter > 0) ray.time = camera.shutter * key.spread(sample_number::kTime);
   if (camera.lens_radius > 0) {
-    const double out = camera.lens_radius * std::sqrt(key.number(sample_number::kLensOut));
-    const double turn = 2 * std::numbers::pi * key.number(sample_number::kLensTurn);
+    const auto [area, angle] = key.spread_pair(sample_number::kLensOut);
+    const double out = camera.lens_radius * std::sqrt(area);
+    const double turn = 2 * std::numbers::pi * angle;
     const Vec3 from = out * (std::cos(turn) * frame.right + std::sin(turn) * frame.up);
     ray.origin = frame.eye + from;
     ray.direction = (camera.focal_distance * towards_view_plane(frame, point) - from).normalized();

@@ -32,12 +32,13 @@ struct PicturePoint {
 /// frame Returns   origin E, direction D, a unit vector to 2 ulp, over the open half-line t > 0
 [[nodiscard]] Ray eye_ray(const CameraFrame& frame, const PicturePoint& point);
 
-/// The ray of one sample through a thin lens; eye_ray() for a pinhole.
+/// The ray of one sample through a thin lens, at a time while the shutter is open; eye_ray() for a pinhole and no exposure.
 ///
-///     O = E + ρ (q_x X + q_y Y),   F = E + f P,   D = (F − O)/|F − O|
+///     O = E + ρ (q_x X + q_y Y),   F = E + f P,   D = (F − O)/|F − O|,   time = τ w
 ///
 /// Symbols   E, G, X, Y of eye_ray(), P its direction before it is made a unit vector, so F lies in the plane f before the eye; ρ
-///           the lens's radius, f the focal distance; q a point of the unit disc from the key: √a (cos 2πb, sin 2πb)
+///           the lens's radius, f the focal distance, τ the shutter; q a point of the unit disc, √a (cos 2πb, sin 2πb); (a, b) in
+///           the unit square and w in [0, 1] as the key spreads them over the samples of a pixel
 /// Returns   what lies in the plane of F is sharp; a point at the distance z along the gaze is spread over a disc of radius
 ///           ρ |z − f|/f in the plane at z
 [[nodiscard]] Ray sample_ray(const Camera& camera, const CameraFrame& frame, const PicturePoint& point,

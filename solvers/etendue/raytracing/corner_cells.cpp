@@ -30,7 +30,11 @@ const Glimpse& CornerCells::at(int x, int y, PixelWork& work) {
   if (!point.seen) {
     const int across = columns_.first * n_ + x, down = row_ * n_ + y;
     // The corner's own place on the picture's grid makes its numbers, whichever pixel asks.
-    const SampleKey key = sample_key(sampling_.seed, across, down, 0);
+    SampleKey key = sample_key(sampling_.seed, across, down, 0);
+    // What it spreads, it spreads over the corners of the pixel to its lower right.
+    key.pixel = sample_key(sampling_.seed, across / n_, down / n_, 0).pixel;
+    key.index = down % n_ * n_ + across % n_;
+    key.side = n_;
     point = {true, look_(static_cast<double>(across) / n_, static_cast<double>(down) / n_, key)};
   }
   if (counted_[index(x, y)] != column_) {

@@ -97,11 +97,16 @@ Crossing cross(const Media& around, const SceneHit& hit, const Vec3& direction, 
   return crossing;
 }
 
-Media media_around(const Vec3& point, const Accelerator& accelerator) {
+Media media_around(const Vec3& point, const Accelerator& accelerator, double time) {
   Media media;
   if (!accelerator.has_transparent_surfaces()) return media;
-  const std::vector<FirstMeeting> ahead = meetings({point, kAnyDirection}, accelerator);
-  const std::vector<FirstMeeting> back = meetings({point, -kAnyDirection}, accelerator);
+  Ray line;
+  line.origin = point;
+  line.time = time;
+  line.direction = kAnyDirection;
+  const std::vector<FirstMeeting> ahead = meetings(line, accelerator);
+  line.direction = -kAnyDirection;
+  const std::vector<FirstMeeting> back = meetings(line, accelerator);
   const auto holds = [](const std::vector<FirstMeeting>& side, const FirstMeeting& first) {
     return std::any_of(side.begin(), side.end(),
                        [&](const FirstMeeting& other) { return other.body == first.body && other.from_inside; });

@@ -56,10 +56,10 @@ struct Crossing {
 /// body, along it it leaves. A body that is left without having been entered was there from the beginning.
 [[nodiscard]] Crossing cross(const Media& around, const SceneHit& hit, const Vec3& direction, const Scene& scene);
 
-/// The media around a point, as an eye there needs them: found by following a line through the point to both sides. What
+/// The media around a point at a time, as an eye there needs them: found by following a line through the point to both sides. What
 /// either side leaves before entering it holds the point; a plane is seen from one side only.
 /// Domain    a point that lies on no surface
 /// Returns   in the order from outside to inside; nothing where nothing is transparent
-[[nodiscard]] Media media_around(const Vec3& point, const Accelerator& accelerator);
+[[nodiscard]] Media media_around(const Vec3& point, const Accelerator& accelerator, double time = 0);
 
 }  // namespace etendue

@@ -7,7 +7,9 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/geometry/spawn.hpp"
+#include "etendue/optics/absorption.hpp"
 #include "etendue/optics/fresnel.hpp"
+#include "etendue/optics/frost.hpp"
 #include "etendue/optics/reflect.hpp"
 #include "etendue/optics/refract.hpp"
 #include "etendue/text/number_text.hpp"
@@ -24,9 +26,9 @@ struct Shares {
 
 class TreeBuilder {
  public:
-  TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits, double wavelength)
-      : accelerator_(accelerator), scene_(accelerator.scene()), limits_(limits) {
-    tree_.wavelength = wavelength;
+  TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits, const RayStart& start)
+      : accelerator_(accelerator), scene_(accelerator.scene()), limits_(limits), key_(start.key) {
+    tree_.wavelength = start.wavelength;
     tree_.nodes.reserve(kUsual);
   }
 
@@ -83,6 +85,7 @@ class TreeBuilder {
     Crossing crossing;
     if (is_transparent(material)) crossing = cross(around, met, incident.direction, scene_);
     const double ratio = index_ratio(crossing, tree_.nodes[parent].medium, material);
+    const bool clear = material.frost == 0;
     Shares shares = shares_of(material, std::abs(incident.direction.dot(met.hit.normal)), ratio);
 
     std::optional<Vec3> transmission;
@@ -97,8 +100,9 @@ class TreeBuilder {
     if (transmission && shares.transmitted > 0) {
       Ray onward = incident;  // straight on: beyond this hit, and no surface is met at another t than without it
       onward.t_min = met.hit.t;
-      spawn(parent, RayKind::transmitted, ratio == 1 ? onward : from_hit(met, *transmission), shares.transmitted,
-            crossing.behind);
+      if (!clear) transmission = strayed(*transmission, met.hit.normal, material.frost, parent);
+      spawn(parent, RayKind::transmitted, ratio == 1 && clear ? onward : from_hit(met, *transmission),
+            shares.transmitted, crossing.behind);
     }
   }
 
@@ -122,6 +126,11 @@ class TreeBuilder {
     return {both * factor, both * (1 - factor)};
   }
 
+  Vec3 strayed(const Vec3& clear, const Vec3& normal, double frost, std::size_t ray) const {
+    const auto [a, b] = key_.part(ray).spread_pair(sample_number::kFrost);
+    return frosted(clear, normal, frost, a, b);
+  }
+
   static Ray from_hit(const SceneHit& met, const Vec3& direction) {
     return {offset_origin(met.hit, direction), direction};
   }
@@ -130,13 +139,20 @@ class TreeBuilder {
     RayNode& child = tree_.nodes.emplace_back();
     const RayNode& from = tree_.nodes[parent];
     child.ray = ray;
+    child.ray.time = from.ray.time;
     child.kind = kind;
     child.level = from.level + 1;
     child.parent = parent;
     child.coefficient = coefficient;
-    child.weight = from.weight * coefficient;
+    child.weight = from.weight * coefficient * left_by_medium(from);
     child.media = media;
     follow(tree_.nodes.size() - 1);
+  }
+
+  /// The greatest share, of the channels', that the medium of a ray leaves of what comes along it.
+  double left_by_medium(const RayNode& node) const {
+    if (!node.medium || (scene_.materials[*node.medium].absorption == 0).any()) return 1;
+    return transmittance(scene_.materials[*node.medium].absorption, node.length).maxCoeff();
   }
 
   const Material& material_of(const SceneHit& met) const {
@@ -146,6 +162,7 @@ class TreeBuilder {
   const Accelerator& accelerator_;
   const Scene& scene_;
   const TreeLimits limits_;
+  const SampleKey key_;
   RayTree tree_;
 };
 
@@ -173,7 +190,7 @@ std::string fate(const RayNode& node, const Scene& scene) {
 RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimits& limits, const RayStart& start) {
   require(limits.depth >= 0, "trace: the depth is not negative");
   require(limits.cutoff >= 0, "trace: the cutoff is not negative");
-  TreeBuilder builder(accelerator, limits, start.wavelength);
+  TreeBuilder builder(accelerator, limits, start);
   builder.begin(eye_ray, start.media);
   return builder.take();
 }

@@ -7,6 +7,7 @@
 
 #include "etendue/acceleration/accelerator.hpp"
 #include "etendue/raytracing/media.hpp"
+#include "etendue/raytracing/sample_key.hpp"
 
 namespace etendue {
 
@@ -27,12 +28,13 @@ struct RayNode {
   Ray ray;  ///< one that goes straight on keeps the origin of the ray before and begins at its t_min
   RayKind kind = RayKind::eye;
   RayEnd end = RayEnd::left_scene;
-  int level = 0;                ///< rays from the eye are of level 0
-  std::size_t parent = kNone;   ///< index of the ray at whose hit this one begins
-  double coefficient = 1;       ///< share of it that the surface where it begins sends on: k_r or k_t, or by Fresnel
-  double weight = 1;            ///< product of the coefficients along the path: its share in the pixel (E12)
-  std::optional<SceneHit> hit;  ///< where end is surface; its t is counted from ray.origin
-  Media media;                  ///< the bodies that it travels in
+  int level = 0;               ///< rays from the eye are of level 0
+  std::size_t parent = kNone;  ///< index of the ray at whose hit this one begins
+  double coefficient = 1;      ///< share of it that the surface where it begins sends on: k_r or k_t, or by Fresnel
+  double weight = 1;  ///< its share in the pixel (E12): product of the coefficients along the path, and of what
+                      ///< the bodies that it passed leave of the channel they leave most of
+  std::optional<SceneHit> hit;                              ///< where end is surface; its t is counted from ray.origin
+  Media media;                                              ///< the bodies that it travels in
   std::optional<std::size_t> medium = std::nullopt;         ///< the material of the one that counts, if any
   double length = std::numeric_limits<double>::infinity();  ///< from where it begins to the hit
 };
@@ -54,6 +56,7 @@ struct TreeLimits {
 struct RayStart {
   Media media;            ///< media_around() the eye; without it, the eye stands where no body is
   double wavelength = 0;  ///< [nm] of refractive indices; 0: those for all light at once
+  SampleKey key;          ///< ray i, where it strays in frosted surfaces, draws from key.part(i)
 };
 
 /// Follows a ray from the eye and every reflected and transmitted ray that it causes.       @eq IU.5-2, IU.4-6, IU.5-7
@@ -62,7 +65,7 @@ struct RayStart {
 /// With Fresnel's factor F the reflected ray carries (k_r + k_t) F, the transmitted one (k_r + k_t)(1 − F), if k_t > 0.
 /// η is the quotient of the indices on the two sides, which cross() finds: a bubble in glass in water is right. A surface
 /// that lies hidden in a body of higher priority is passed as if it were not there. Where the index stays the same the
-/// ray goes straight on, to the last bit.
+/// ray goes straight on, to the last bit. Through frost it strays as frosted() says, to either side of that.     @eq IU.4.3d
 /// Under total internal reflection nothing is transmitted: the reflected ray then carries k_r + k_t.
 /// Secondary rays begin outside the error bound of the hit (offset_origin), so there is no tolerance to choose.
 ///

@@ -50,6 +50,12 @@ bool is_dispersed(const RayTree& tree, const Scene& scene) {
   });
 }
 
+bool has_moving_bodies(const Scene& scene) {
+  return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+    return moves(scene, object) && is_transparent(scene.materials[object.material]);
+  });
+}
+
 PixelWindow window_of(const RenderOptions& options, const Camera& camera) {
   return options.crop.value_or(PixelWindow{0, 0, camera.columns, camera.rows});
 }
@@ -82,6 +88,7 @@ class RowPipeline {
         session_(session),
         window_(window_of(options, camera_)),
         around_(media_around(frame.eye, accelerator)),
+        moving_bodies_(has_moving_bodies(accelerator.scene())),
         sampler_(options.sampling, options.filter, {window_.left, window_.right}, camera_.columns),
         begun_(static_cast<std::size_t>(camera_.rows)),
         completed_(begun_.size()) {
@@ -156,7 +163,10 @@ class RowPipeline {
   Look looking(RenderCounts& counts) {
     return [this, &counts](double x, double y, const SampleKey& key) {
       const PicturePoint point{x / camera_.columns, (camera_.rows - y) / camera_.rows};
-      const Seen seen = see(sample_ray(camera_, frame_, point, key), accelerator_, options_, around_, key);
+      const Ray ray = sample_ray(camera_, frame_, point, key);
+      const Seen seen = moving_bodies_
+                            ? see(ray, accelerator_, options_, media_around(frame_.eye, accelerator_, ray.time), key)
+                            : see(ray, accelerator_, options_, around_, key);
       counts += seen.counts;
       return Glimpse{seen.colour, seen.tree_depth};
     };
@@ -215,6 +225,7 @@ class RowPipeline {
   const RenderSession& session_;
   const PixelWindow window_;
   const Media around_;
+  const bool moving_bodies_;  ///< then what is around the eye may change while the shutter is open
   const RowSampler sampler_;
   std::vector<char> begun_, completed_;  ///< by row of the camera's picture
   std::vector<std::unique_ptr<SampledRow>> rows_ = std::vector<std::unique_ptr<SampledRow>>(begun_.size());
@@ -247,14 +258,15 @@ Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions
     seen.counts += counts;
     seen.colour += weight * shaded.colour;
   };
-  const RayTree tree = trace(eye_ray, accelerator, options.limits, {around});
+  const SampleKey rays = key.part(sample_number::kTree);
+  const RayTree tree = trace(eye_ray, accelerator, options.limits, {around, 0, rays});
   if (options.wavelengths == 0 || !is_dispersed(tree, accelerator.scene())) {
     add(tree, Rgb::Ones());
     return seen;
   }
   const double offset = key.number(sample_number::kWavelength);
   for (const WavelengthSample& sample : wavelength_samples(options.wavelengths, offset)) {
-    add(trace(eye_ray, accelerator, options.limits, {around, sample.wavelength}), sample.weight);
+    add(trace(eye_ray, accelerator, options.limits, {around, sample.wavelength, rays}), sample.weight);
   }
   return seen;
 }

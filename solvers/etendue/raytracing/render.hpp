@@ -19,10 +19,10 @@ struct PixelWindow {
 
 /// What else a picture can tell of each pixel, besides its colour.
 enum class PictureFact {
-  depth,       ///< along the ray through the pixel's centre, the distance from the eye; 0 where it meets nothing
-  normal,      ///< there, the surface's unit normal on the viewer's side, x, y, z in the scene; 0 where there is none
-  albedo,      ///< there, k_d, with its pattern
-  object,      ///< there, the index of the object; −1 where there is none
+  depth,   ///< at time 0, along the ray through the pixel's centre, the distance from the eye; 0 where it meets nothing
+  normal,  ///< there, the surface's unit normal on the viewer's side, x, y, z in the scene; 0 where there is none
+  albedo,  ///< there, k_d, with its pattern
+  object,  ///< there, the index of the object; −1 where there is none
   samples,     ///< number of samples on which the pixel rests, but for what a filter takes from the neighbours
   tree_depth,  ///< greatest level of a ray that was followed for these
 };
@@ -67,7 +67,7 @@ struct Seen {
 ///
 /// With `wavelengths` the index of each medium is that for λ_i; colours stay what they are per channel. A ray whose tree
 /// meets nothing dispersive is traced once: a scene without dispersion gives the same bits with any number of parts.
-/// Symbols   around: media_around() the eye; where in each part the wavelength lies, the key says
+/// Symbols   around: media_around() the eye; where in each part the wavelength lies, and where frost sends rays, the key says
 [[nodiscard]] Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions& options,
                        const Media& around, const SampleKey& key = {});
 

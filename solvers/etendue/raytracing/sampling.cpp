@@ -24,7 +24,7 @@ struct Place {
 
 Place place(const Sampling& sampling, int column, int row, int index) {
   const int n = sampling.samples_per_side;
-  const SampleKey key = sample_key(sampling.seed, column, row, index);
+  const SampleKey key = sample_key(sampling.seed, column, row, index, n);
   if (sampling.scheme == SamplingScheme::uniform)
     return {column + sample_position(index % n, n), row + sample_position(index / n, n), key};
   const double across = (index % n + key.number(sample_number::kAcross)) / n;

@@ -78,14 +78,15 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
   Shaded result;
   thread_local std::vector<IncidentLight> arriving;  // its memory is kept from hit to hit
   arriving.clear();
-  const SurfaceColour colour = colour_at(material, met.hit.point);
+  const SurfaceColour colour = colour_at(material, at_rest(scene.objects[met.object], met.hit.point, node.ray.time));
   const bool returns_light = (colour.k_d != 0).any() || material.k_s != 0;
   const auto look_for = [&](const Light& light) {
     const LightSample sample = towards(light, met.hit.point);
     if (!(normal.dot(sample.to_light) > 0)) return;
     ++result.shadow_rays;
-    const Passage way = passage(shadow_ray_into(sample.to_light, met.hit, light, shadows.cure),
-                                {met.object, node.media, wavelength}, accelerator, shadows);
+    Ray towards_light = shadow_ray_into(sample.to_light, met.hit, light, shadows.cure);
+    towards_light.time = node.ray.time;
+    const Passage way = passage(towards_light, {met.object, node.media, wavelength}, accelerator, shadows);
     result.tests += way.tests;
     if ((way.share > 0).any()) arriving.push_back({sample.to_light, intensity(light) * way.share, 1});
   };

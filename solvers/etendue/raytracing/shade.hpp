@@ -43,7 +43,8 @@ struct Shaded {
 [[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},
                                         const Shadows& shadows = {}, double wavelength = 0);
 
-/// Diffuse and ambient reflection where a material's pattern shows what it shows.                   @eq IU.4-1
+/// Diffuse and ambient reflection where a material's pattern shows what it shows. Patterns move with their objects: the
+/// point is that of at_rest().                                                                     @eq IU.4-1
 struct SurfaceColour {
   Rgb k_d, k_a;
 };

@@ -37,6 +37,7 @@ struct Camera {
   int rows = 256;
   double lens_radius = 0;     ///< of a thin lens at the eye [length]; 0: a pinhole, everything is sharp
   double focal_distance = 1;  ///< along the gaze, of the plane that is sharp [length]
+  double shutter = 0;         ///< how long the picture is exposed, from time 0 on [time]
 };
 
 /// A second colour of a surface, and where it shows.                                                @eq IU.4-1
@@ -58,7 +59,8 @@ struct Material {
   bool fresnel = false;          ///< k_r + k_t is divided by Fresnel's factor, whatever each of them is
   Rgb absorption = Rgb::Zero();  ///< σ of the inside, per channel [1/length]
   std::optional<Dispersion> dispersion;  ///< the index for each wavelength
-  int priority = 0;            ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
+  double frost = 0;  ///< 1 − mean cosine of the angle by which a transmitted ray strays, in [0, ½]; 0: clear glass
+  int priority = 0;  ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
   std::optional<MaterialPattern> pattern;  ///< for rays; radiosity takes rho
@@ -106,7 +108,13 @@ struct Object {
   std::size_t material = 0;  ///< index into Scene::materials
   Subdivision subdivision;
   std::string place = {};  ///< "scene.json:29:5: /objects/1", for messages; empty where it was not read from a file
+  Vec3 velocity = Vec3::Zero();  ///< of the shape, which is where it says at time 0 [length/time]; for rays
 };
+
+/// Where a point that the object carries along at `time` is at time 0.
+[[nodiscard]] inline Vec3 at_rest(const Object& object, const Vec3& point, double time) {
+  return point - time * object.velocity;
+}
 
 struct Scene {
   std::string name;
@@ -119,5 +127,10 @@ struct Scene {
   std::vector<Object> objects;
   bool align_mesh = false;  ///< elements are cut where other objects stand on their faces
 };
+
+/// Whether the picture sees it move.
+[[nodiscard]] inline bool moves(const Scene& scene, const Object& object) {
+  return scene.camera.shutter > 0 && object.velocity != Vec3::Zero();
+}
 
 }  // namespace etendue
