@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "accelerator_option.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/optics/dispersion.hpp"
 #include "etendue/raytracing/ray_tree_drawing.hpp"
@@ -28,6 +29,7 @@ struct Request {
   std::pair<std::string, std::string> pixel;
   TreeLimits limits{12, 0};
   double wavelength = 0;
+  std::string accelerator = "bvh";
   bool json = false;
 };
 
@@ -42,6 +44,7 @@ void declare(Options& options, Request& request) {
   options.real("--wavelength", "NM",
                "refract as light of this wavelength is, 380 to 780 nm (default: all light as n_d)", request.wavelength,
                kShortestVisible, kLongestVisible);
+  add_accelerator(options, request.accelerator);
   options.flag("--json", "print JSON instead of text", request.json);
   options.path("--output", "FILE", "write to FILE: NAME.txt, NAME.json, NAME.dot (Graphviz) or NAME.svg (a drawing)",
                request.output);
@@ -49,8 +52,8 @@ void declare(Options& options, Request& request) {
   options.note(
       "Each ray has a name as in figure 36: R or T for reflected or transmitted, with the number of the surface where "
       "it\n"
-      "begins; its weight is the product of the coefficients along its path; then follows what it meets, or why it "
-      "ends.");
+      "begins; its weight is the product of the coefficients along its path, and of what bodies on it do not absorb; "
+      "then\nfollows what it meets, or why it ends.");
   options.example("etendue ray-tree scenes/mirrors/scene.json --pixel 295 235");
   options.example("etendue ray-tree scenes/mirrors/scene.json --pixel 295 235 --depth 3 -o tree.svg");
 }
@@ -95,8 +98,9 @@ int ray_tree(const std::vector<std::string>& arguments, std::ostream& out, std::
   if (!request.output.empty()) {
     if (const auto free = check_outputs({request.output}, file.files); !free) return fail(err, kName, free.error());
   }
-  const auto accelerator = make_accelerator(file.scene, AcceleratorKind::bounding_volumes);
-  const auto tree = pixel_tree(*accelerator, *pixel, request.limits, request.wavelength);
+  const auto accelerator = named_accelerator(request.accelerator, file.scene);
+  if (!accelerator) return fail(err, kName, accelerator.error());
+  const auto tree = pixel_tree(**accelerator, *pixel, request.limits, request.wavelength);
   if (!tree) return fail(err, kName, tree.error());
   if (!request.output.empty()) {
     const auto done = write_file(request.output, written(request, *tree, file, *pixel));

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ostream>
 
-#include "etendue/acceleration/embree.hpp"
+#include "accelerator_option.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/raytracing/preview.hpp"
 #include "etendue/text/number_text.hpp"
@@ -168,13 +168,13 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
     }
   }
   if (request.by_raster()) return render_by_raster(request, file, out, err);
-  if (const auto missing = embree_missing(); missing && request.accelerator_kind() == AcceleratorKind::embree)
-    return fail(err, kName, *missing);
-  const auto accelerator = make_accelerator(file.scene, request.accelerator_kind());
-  if (request.pixel) return explain_pixel(request, options, file, *accelerator, out, err);
+  const auto made = named_accelerator(request.accelerator, file.scene);
+  if (!made) return fail(err, kName, made.error());
+  const Accelerator& accelerator = **made;
+  if (request.pixel) return explain_pixel(request, options, file, accelerator, out, err);
 
   const auto begin = Clock::now();
-  const auto rendering = rendered(request, file, *accelerator, err);
+  const auto rendering = rendered(request, file, accelerator, err);
   if (!rendering) return fail(err, kName, rendering.error());
   const std::chrono::duration<double> elapsed = Clock::now() - begin;
   const auto written = write_rendering(request, file, *rendering);

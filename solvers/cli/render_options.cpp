@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "accelerator_option.hpp"
 #include "render_request.hpp"
 
 // The options of `etendue render` as --help tells them.
@@ -76,10 +77,7 @@ void declare(Options& options, RenderRequest& request) {
   options.text("--aov", "LIST",
                "further channels of the EXR: depth, normal, albedo, object, samples, tree_depth, with commas, or all",
                request.facts);
-  options.choice("--accelerator", {"bvh", "spheres", "grid", "octree", "brute", "embree"},
-                 "how surfaces are found: hierarchy of boxes, of spheres, grid, octree, or every one: same picture; "
-                 "embree: triangles proposed in single precision (default: bvh)",
-                 request.accelerator);
+  add_accelerator(options, request.accelerator);
   add_tone(options, request.tone, "1");
   options.choice(
       "--overflow", {"clamp", "scale-image", "scale-pixel"},

@@ -184,14 +184,6 @@ Overflow RenderRequest::overflow_treatment() const {
   return overflow == "scale-pixel" ? Overflow::scale_pixel : Overflow::clamp;
 }
 
-AcceleratorKind RenderRequest::accelerator_kind() const {
-  if (accelerator == "spheres") return AcceleratorKind::bounding_spheres;
-  if (accelerator == "grid") return AcceleratorKind::grid;
-  if (accelerator == "octree") return AcceleratorKind::octree;
-  if (accelerator == "embree") return AcceleratorKind::embree;
-  return accelerator == "brute" ? AcceleratorKind::brute_force : AcceleratorKind::bounding_volumes;
-}
-
 std::string RenderRequest::sampling_text() const {
   const std::string n = std::to_string(render.sampling.samples_per_side);
   std::string text = sampling + (is_adaptive(*this) ? " to " : " ") + n + " × " + n;

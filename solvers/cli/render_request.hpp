@@ -49,7 +49,6 @@ struct RenderRequest {
   bool by_raster() const { return method == "raster"; }
   ShadingOptions shading_options() const;
   Overflow overflow_treatment() const;
-  AcceleratorKind accelerator_kind() const;
   /// All that the picture depends on, besides the scene file: "500 × 500, depth 12, …".
   std::string settings(const Camera& camera) const;
   /// "uniform 2 × 2", "adaptive to 4 × 4, contrast 0.25, 0.2, 0.4": of pictures and reports.

@@ -144,6 +144,16 @@ TEST(RayTreeCommand, PrintsAndWritesFigure36) {
   ASSERT_EQ(report["rays"].size(), 8u);
   EXPECT_TRUE(holds(report["rays"][5]["name"] == "T3" && report["rays"][5]["coefficient"] == 0.5));
   EXPECT_TRUE(holds(report["rays"][6]["end"] == "left scene" && report["rays"][6]["parent"] == 5));
+  for (const char* accelerator : {"brute", "bvh", "spheres", "grid", "octree"}) {
+    const Ended ended =
+        run_etendue({"ray-tree", four_surfaces(), "--pixel", "50", "50", "--json", "--accelerator", accelerator});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const auto found = nlohmann::json::parse(ended.out);
+    EXPECT_TRUE(holds(found["rays"] == report["rays"])) << accelerator;
+    // Each of the eight rays is tried against the four surfaces, by brute force alone.
+    const bool all_tried = found["tests"]["surfaces"] == 8 * 4 && found["tests"]["boxes"] == 0;
+    EXPECT_TRUE(holds(all_tried == (std::string(accelerator) == "brute"))) << accelerator;
+  }
   const Ended short_tree = run_etendue({"ray-tree", four_surfaces(), "--pixel", "50", "50", "--cutoff", "0.02"});
   EXPECT_TRUE(holds(short_tree.out.find("R4 weight 0.015 is not followed: below the cutoff") != std::string::npos));
 }
