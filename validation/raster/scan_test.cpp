@@ -213,6 +213,8 @@ TEST(Scan, GivesEachPixelOfAMeshToOneTriangle) {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
           const auto& [i, j, k] = mesh.triangles[t];
           const Vec2 &a = mesh.points[i], &b = mesh.points[j], &c = mesh.points[k];
+          const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+          if ((p.array() < low.array()).any() || (p.array() > high.array()).any()) continue;  // exact, and most
           if (owns(a, b, c, p)) right = static_cast<int>(t);
           ties += turn(a, b, p) == 0 || turn(b, c, p) == 0 || turn(c, a, p) == 0;
         }

@@ -6,7 +6,9 @@
 #include <numbers>
 #include <optional>
 
+#include "etendue/acceleration/accelerator.hpp"
 #include "etendue/image/scan_line.hpp"
+#include "etendue/raytracing/render.hpp"
 #include "support/evidence.hpp"
 #include "support/scene_builder.hpp"
 
@@ -306,6 +308,64 @@ TEST(ShadedView, HasFewerMachBandsTheMoreIsInterpolated) {
       EXPECT_TRUE(within(1.2 * phong.perceived, gouraud.perceived)) << facets << " " << row;
     }
   }
+}
+
+// CLAIM      Facets are shaded on the viewer's side, whichever way they are wound.
+// ORACLE     metamorphic: the octahedron turned inside out.
+// TOLERANCE  1e-9: the corners of a facet come in another order, its pixels' weights with other roundings, n at most 8.
+TEST(ShadedView, DoesNotAskHowFacetsAreWound) {
+  proves({"IU.3.2a"}, Oracle::metamorphic, "the octahedron turned inside out");
+  Scene scene = octahedron(8);
+  for (const Shading shading : kAllShadings) {
+    const auto before = view_shaded(scene, smooth(shading));
+    Scene turned = scene;
+    for (auto& triangle : std::get<Mesh>(turned.objects[0].shape).triangles) std::swap(triangle[0], triangle[1]);
+    const auto after = view_shaded(turned, smooth(shading));
+    double most = 0;
+    for (std::size_t i = 0; i < before->image.pixels.size(); ++i)
+      most = std::max(most, (before->image.pixels[i] - after->image.pixels[i]).abs().maxCoeff());
+    EXPECT_TRUE(within(most, 1e-9));
+  }
+}
+
+// CLAIM      What is flat is shown as by rays, also where it reaches behind the eye and is cut off: with a light in the eye, so that no
+//            shadow is seen.
+// ORACLE     independent method: the ray tracer, one ray a pixel, the same scene.
+// TOLERANCE  2e-3, the change of intensity over a few 4096ths of a pixel at most; at edges and at the horizon, 2 % of the pixels at most,
+//            centres may be snapped to another side.
+TEST(ShadedView, AgreesWithRaysOnFlatShapes) {
+  proves({"IU.3.3", "IU.5.2"}, Oracle::program, "the ray tracer, pixel by pixel");
+  Scene scene;
+  add(scene, square({0, 0, 0}, Vec3::UnitZ(), 30), glossy(5), "floor");
+  add(scene, Box{{4, 6, 1}, Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized()).toRotationMatrix(), {1, 0.7, 1.5}},
+      glossy(20), "box");
+  add(scene, Disc{{-3, 7, 2}, Vec3(1, -1, 0.3).normalized(), 1.2}, diffuse(0.7), "disc");
+  scene.ambient = {0.2, 0.2, 0.3};
+  scene.camera.eye = {0.3, -0.2, 1.5};
+  scene.camera.gaze = {0.1, 1, -0.25};
+  scene.camera.horizontal_half_angle = 0.9;
+  scene.camera.columns = 120;
+  scene.camera.rows = 90;
+  scene.lights = {PointLight{scene.camera.eye, {0.5, 0.6, 0.7}}};
+  ShadingOptions options;
+  options.samples = 1;
+  options.net.facets = 256;
+  const Image drawn = view_shaded(scene, options)->image;
+  RenderOptions rays;
+  rays.sampling.samples_per_side = 1;
+  const Image traced = render(*make_accelerator(scene, AcceleratorKind::bounding_volumes), rays, {}).value().image;
+  std::size_t edges = 0, floor = 0;
+  for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
+    const double error = (drawn.pixels[i] - traced.pixels[i]).abs().maxCoeff();
+    floor += traced.pixels[i].maxCoeff() > 0;
+    if (error > 2e-3) {
+      ++edges;
+    } else {
+      EXPECT_TRUE(within(error, 2e-3));
+    }
+  }
+  EXPECT_TRUE(within(static_cast<double>(edges), 0.02 * static_cast<double>(drawn.pixels.size())));
+  EXPECT_GT(floor, drawn.pixels.size() / 2);
 }
 
 // CLAIM      The same bits for any number of threads, in a scene that reaches behind the eye; and what is left out is said.

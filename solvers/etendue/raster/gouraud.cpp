@@ -49,16 +49,17 @@ template <Stepping kStepping>
 Numerators numerators(const std::array<GouraudVertex, 3>& triangle, const TriangleSpans& spans) {
   Numerators all;
   std::array<double, 3> grows{};
+  const double share = 1 / spans.area();
   for (std::size_t k = 0; k < 3; ++k) {
     grows[k] = static_cast<double>(spans.step(k));
-    all.inverse_depth[k] = triangle[k].inverse_depth / spans.area();
+    all.inverse_depth[k] = triangle[k].inverse_depth * share;
   }
   for (std::size_t c = 0; c < 3; ++c) {
     double largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = triangle[k].value[static_cast<Eigen::Index>(c)] * triangle[k].inverse_depth;
       largest = std::max(largest, std::abs(value));
-      all.value[c][k] = value / spans.area();
+      all.value[c][k] = value * share;
     }
     all.multiples[c] = Multiples(largest);
     all.step[c] = placed<kStepping>(all.multiples[c], combined(grows, all.value[c]));

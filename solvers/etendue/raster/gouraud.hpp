@@ -24,10 +24,10 @@ enum class Stepping {
   incremental,          ///< one addition a pixel, of those: none of them rounds
 };
 
-/// Bounds on the error of an interpolated v/w as a share of the largest |v_k/w_k|. Directly: seven roundings of each part of
+/// Bounds on the error of an interpolated v/w as a share of the largest |v_k/w_k|. Directly: eight roundings of each part of
 /// the start, whose weights sum to one, and of each of the step's, whose weights change by one at most; four of the
 /// sums. Multiples, which are below 2^-49 of it, add half of one at the start and at every pixel from there on.
-inline constexpr double kInterpolationError = 32 * 0x1p-53;
+inline constexpr double kInterpolationError = 36 * 0x1p-53;
 constexpr double stepping_error(int columns) {
   return kInterpolationError + (columns + 1) * 0x1p-50;
 }

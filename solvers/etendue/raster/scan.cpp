@@ -14,11 +14,16 @@ struct Point {
   std::int64_t x, y;
 };
 
+// To the nearest whole number, ties to even: added, 1.5 · 2^52 has its last place there. |value| ≤ 2^29.
+std::int64_t nearest(double value) {
+  constexpr double kLastPlaceIsOne = 0x1.8p52;
+  return static_cast<std::int64_t>((value + kLastPlaceIsOne) - kLastPlaceIsOne);
+}
+
 Point snapped(const Vec2& corner) {
   require(std::abs(corner.x()) <= kLargestCoordinate && std::abs(corner.y()) <= kLargestCoordinate,
           "scan: corners lie within kLargestCoordinate");
-  return {std::llround(corner.x() * static_cast<double>(kSubpixels)),
-          std::llround(corner.y() * static_cast<double>(kSubpixels))};
+  return {nearest(corner.x() * static_cast<double>(kSubpixels)), nearest(corner.y() * static_cast<double>(kSubpixels))};
 }
 
 // Twice the signed area of (from, to, point); positive on the inner side of a triangle wound like x towards y.
@@ -41,11 +46,18 @@ int first_pixel(std::int64_t coordinate, int first, int last) {
 struct Quotient {
   std::int64_t floor, rest;  // rest in [0, divisor)
 };
+// By a division of doubles, whose quotient, below 2^50, is off by one at most, and put right in whole numbers: several times
+// as fast as a division of these.
 Quotient divided(std::int64_t value, std::int64_t divisor) {
-  Quotient result{value / divisor, value % divisor};
-  if (result.rest < 0) {
+  Quotient result{static_cast<std::int64_t>(static_cast<double>(value) / static_cast<double>(divisor)), 0};
+  result.rest = value - result.floor * divisor;
+  while (result.rest < 0) {
     result.rest += divisor;
     --result.floor;
+  }
+  while (result.rest >= divisor) {
+    result.rest -= divisor;
+    ++result.floor;
   }
   return result;
 }

@@ -57,8 +57,10 @@ Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& o
 class Shader {
  public:
   Shader(const Scene& scene, Shading shading) : scene_(scene), shading_(shading) {
-    for (const Light& light : scene.lights)
+    for (const Light& light : scene.lights) {
       intensities_.push_back(std::visit([](const auto& each) { return each.intensity; }, light));
+      directions_.push_back(std::get_if<DirectionalLight>(&light));
+    }
   }
 
   std::size_t lights() const { return intensities_.size(); }
@@ -105,8 +107,8 @@ class Shader {
     const Vec3 way = scene_.camera.eye - point;
     const double length = way.norm();
     const Vec3 to_viewer = length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
-    for (const Light& light : scene_.lights) {
-      const Vec3 to_light = towards(light, point).to_light;
+    for (std::size_t i = 0; i < lights(); ++i) {
+      const Vec3 to_light = directions_[i] ? directions_[i]->direction : towards(scene_.lights[i], point).to_light;
       // A point that is the light itself has none of it: it would come from everywhere.
       cosines.push_back(to_light.isZero(0) ? LightCosines{} : light_cosines(normal, to_light, to_viewer));
     }
@@ -115,6 +117,7 @@ class Shader {
   const Scene& scene_;
   Shading shading_;
   std::vector<Rgb> intensities_;
+  std::vector<const DirectionalLight*> directions_;  ///< null for a light of another kind
 };
 
 /// Facets on the picture, and what each pixel of it then shows.
@@ -142,6 +145,7 @@ class Picture {
     static thread_local FacetRaster raster(window);  // bands are drawn one after the other: memory is asked for once
     raster.look(window);
     std::vector<LightCosines> cosines;
+    const double share = 1.0 / (n * n);
     for (const SeenFacet& seen : seen_) {
       const auto [high, low] =
           std::minmax({seen.part[0].position.y(), seen.part[1].position.y(), seen.part[2].position.y()});
@@ -153,7 +157,7 @@ class Picture {
         for (int down = 0; down < n; ++down) {
           for (int across = 0; across < n; ++across) sum += at(raster, column * n + across, row * n + down, cosines);
         }
-        image.at(column, row) = sum / (n * n);
+        image.at(column, row) = sum * share;
       }
     }
   }
