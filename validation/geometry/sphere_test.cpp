@@ -187,11 +187,12 @@ TEST(Sphere, IsMissedByATangent) {
   EXPECT_TRUE(all_agree(hits, tangents));
 }
 
-// CLAIM      E14: an origin on the sphere does not hit at t = 0; printed, t = μ + √γ = 0 for O = D = (1, 0, 0).
+// CLAIM      E14: an origin on the sphere does not hit at t = 0; printed, t = μ + √γ = 0 for O = D = (1, 0, 0). R8: a ray is the open
+//            half-line t > 0; over [0, ∞), as one slide has it, a ray from a surface meets that surface where it begins.
 // ORACLE     closed form: the chord of the unit sphere.
 // TOLERANCE  none: every number is exact.
 TEST(Sphere, IsNotHitAtTheOriginOfTheRay) {
-  proves({"E14"}, Oracle::closed_form, "chords of the unit sphere");
+  proves({"E14", "R8"}, Oracle::closed_form, "chords of the unit sphere");
   const Sphere unit{Vec3::Zero(), 1};
   const auto from = [](const Vec3& origin, const Vec3& direction) {
     Ray ray;
@@ -207,6 +208,31 @@ TEST(Sphere, IsNotHitAtTheOriginOfTheRay) {
   ASSERT_TRUE(through);
   EXPECT_TRUE(near(through->t, 2, 0));
   EXPECT_TRUE(holds(through->normal == Vec3(-1, 0, 0)));
+}
+
+// CLAIM      G16: a tangent is not "without meaning": it is where the two meetings fall together, at t = μ, an intersection of
+//            multiplicity two. The meetings on either side of it close in on μ like the root of what is left of the distance.
+// ORACLE     closed form: γ = R² − b² for a ray at the distance b from the centre; all numbers dyadic, μ = 8.
+// TOLERANCE  kSphereUlps of t, and one rounding of √γ.
+TEST(Sphere, HasATangentWhereTwoMeetingsFallTogether) {
+  proves({"G16", "IU.5-11"}, Oracle::closed_form, "γ = R² − b²");
+  const Sphere unit{Vec3::Zero(), 1};
+  for (int e = 2; e <= 52; e += 2) {
+    const double b = 1 - std::ldexp(1.0, -e), left = std::ldexp(1.0, -e);
+    const double half_chord = std::sqrt(left * (2 - left));  // γ = (1 − b)(1 + b)
+    Ray ray;
+    ray.origin = {-8, b, 0};
+    ray.direction = {1, 0, 0};
+    const auto enters = intersect(ray, unit);
+    ASSERT_TRUE(enters);
+    ray.t_min = 8;  // between the two
+    const auto leaves = intersect(ray, unit);
+    ASSERT_TRUE(leaves);
+    const double tolerance = (kSphereUlps * 16 + 2) * 0x1p-53;
+    EXPECT_TRUE(near(enters->t, 8 - half_chord, tolerance));
+    EXPECT_TRUE(near(leaves->t, 8 + half_chord, tolerance));
+    EXPECT_TRUE(within((enters->normal - leaves->normal).norm(), 2 * half_chord + 0x1p-50));
+  }
 }
 
 // CLAIM      E15, IU.5-10: with μ ≤ 0 the intersections lie behind the origin (not beyond it): outside is a miss.

@@ -362,5 +362,21 @@ TEST(RadiositySystem, MeasuresClosureAndReciprocity) {
   EXPECT_TRUE(near(reciprocity_defect(factors, areas), 0.75, gamma_bound(8) * 5));  // 4 · 0.1875 against 5 · 0.6 = 3
 }
 
+// CLAIM      G16: radiosity is not limited to polygons: patches may be curved, and see themselves.
+// ORACLE     closed form: from a patch of a sphere's inside every other, and itself, is seen with its share a_j of the sphere, so
+//            that B_i = E_i + ρ_i Σ a_j E_j / (1 − Σ a_j ρ_j).
+// TOLERANCE  the solution's own bound, and γ_16 of 2 for the closed form.
+TEST(RadiositySystem, HoldsInsideASphere) {
+  proves({"G16", "IU.6-7"}, Oracle::closed_form, "F_ij = a_j inside a sphere");
+  const Eigen::Vector4d share(0.125, 0.25, 0.5, 0.125), reflectance(0.9, 0.5, 0.25, 0), emission(0, 1, 0.5, 2);
+  const RadiositySystem sphere{Eigen::Vector4d::Ones() * share.transpose(), reflectance, emission};
+  const auto solved = solve_radiosity(sphere, RadiositySolver::gaussian_elimination);
+  ASSERT_TRUE(solved.ok());
+  const double arriving = share.dot(emission) / (1 - share.dot(reflectance));
+  for (Eigen::Index i = 0; i < 4; ++i)
+    EXPECT_TRUE(
+        near(solved->radiosity[i], emission[i] + reflectance[i] * arriving, solved->bound + 2 * gamma_bound(16)));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -19,6 +19,20 @@ PatternFrame random_frame(Directions& random) {
   return {pole, random.orthogonal_to(pole)};
 }
 
+// CLAIM      E29: what 4-3 calls latitude is the angle from the south pole: 0 there, a right angle on the equator, π at the north pole, whose
+//            latitude is half of that and whose v would then be ½. docs/notation.md has one name for each of these.
+// ORACLE     closed form: the three points.
+// TOLERANCE  kMappingError.
+TEST(SphereMapping, CountsFromTheSouthPole) {
+  proves({"E29", "IU.4-2", "IU.4-3"}, Oracle::closed_form, "poles and equator");
+  const PatternFrame frame;
+  EXPECT_TRUE(near(sphere_mapping(frame, -frame.pole).v, 0, kMappingError));
+  EXPECT_TRUE(near(sphere_mapping(frame, frame.equator).v, 0.5, kMappingError));
+  EXPECT_TRUE(near(sphere_mapping(frame, frame.pole).v, 1, kMappingError));
+  const double latitude = std::numbers::pi / 2;
+  EXPECT_TRUE(apart(latitude / std::numbers::pi, sphere_mapping(frame, frame.pole).v, 0.4));
+}
+
 // CLAIM      IU.4-1, IU.4-2, IU.4-3, IU.4-4, IU.4-5: u and v of a normal on a sphere are those that the normal was made from, on a dense grid
 //            with the seam and the poles, in any frame; u is 0 at the poles and at T_e, v runs from the south to the north pole.
 // ORACLE     identity: the forward map in long double.
