@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// A model of the eye's first layers: what a receptor reports is lowered by what its neighbours see.
