@@ -262,6 +262,9 @@ std::vector<std::string> left_out(const Scene& scene) {
   });
   if (has_area) all.emplace_back("the areas of lights");
   if (scene.camera.lens_radius > 0) all.emplace_back("depth of field");
+  const bool moving = std::any_of(scene.objects.begin(), scene.objects.end(),
+                                  [&](const Object& object) { return moves(scene, object); });
+  if (moving) all.emplace_back("movement");
   return all;
 }
 
