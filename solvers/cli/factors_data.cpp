@@ -2,6 +2,7 @@
 #include "factors_data.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -35,9 +36,20 @@ struct Column {
   bool number = false;
 };
 
+/// A word that reads as a number that is none to compute with: nan, inf, or beyond what double holds.
+bool is_no_finite_number(std::string_view word) {
+  if (word.size() > 1 && (word[0] == '+' || word[0] == '-')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error != std::errc::invalid_argument && end == word.data() + word.size();
+}
+
 Result<Column> column(const std::string& option, const std::string& text) {
   if (const auto value = parse_number(text)) {
     return Column{option, {RowMatrix::Constant(1, 1, *value), true, {}}, true};
+  }
+  if (is_no_finite_number(text)) {
+    return Error{ErrorCode::invalid_input, option + ": found '" + printable(text) + "', expected a finite number"};
   }
   auto table = read_number_table(text);
   // A word that is neither a number nor a file: both are named.

@@ -137,6 +137,10 @@ void Options::alias(std::string short_name, std::string name) {
   aliases_.emplace_back(std::move(short_name), std::move(name));
 }
 
+void Options::elsewhere(std::vector<std::string> names, std::string where) {
+  elsewhere_.emplace_back(std::move(names), std::move(where));
+}
+
 void Options::example(std::string command_line) {
   examples_.push_back(std::move(command_line));
 }
@@ -178,6 +182,11 @@ std::optional<std::string> Options::read_option(const std::vector<std::string>& 
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(0, equals);
   const Option* option = find(name);
+  for (const auto& [others, where] : elsewhere_) {
+    if (!option && std::find(others.begin(), others.end(), name) != others.end()) {
+      return "option '" + name + "' belongs to " + where;
+    }
+  }
   if (!option) return "unknown option '" + name + "'" + did_you_mean(name, names());
   if (!option->repeatable && std::find(seen.begin(), seen.end(), option->name) != seen.end()) {
     return "option '" + option->name + "' is given twice";

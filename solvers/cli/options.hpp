@@ -39,6 +39,8 @@ class Options {
   void two_texts(std::string name, std::string values, std::string help, std::pair<std::string, std::string>& target);
   /// A short name for an option: `-o`.
   void alias(std::string short_name, std::string name);
+  /// Names that are unknown here but not elsewhere: the refusal says where, "--method full".
+  void elsewhere(std::vector<std::string> names, std::string where);
   /// A command line that works from the root of the project; CI runs it.
   void example(std::string command_line);
   /// Further lines between the options and the examples.
@@ -75,6 +77,7 @@ class Options {
   std::vector<Option> positional_;
   std::vector<Option> options_;
   std::vector<std::pair<std::string, std::string>> aliases_;
+  std::vector<std::pair<std::vector<std::string>, std::string>> elsewhere_;
   std::vector<std::string> notes_;
   std::vector<std::string> examples_;
 };

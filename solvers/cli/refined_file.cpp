@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <sstream>
 #include <string>
 
+#include "etendue/core/rounding.hpp"
+#include "etendue/refinement/relighting.hpp"
 #include "etendue/text/utf8.hpp"
 #include "refined_report.hpp"
 #include "report_json.hpp"
@@ -63,8 +68,84 @@ void read_state(const Json& file, const char* irradiance, const char* unshot, co
   for (const Json& patch : file.at("patches")) state.unshot.push_back(value(patch, unshot));
 }
 
+/// Are two values of a channel the same up to rounding, in units of one that bounds them both?
+bool same(const Rgb& found, const Rgb& expected, const Rgb& unit, int roundings) {
+  return ((found - expected).abs() <= gamma_bound(roundings) * unit).all();
+}
+
+/// What a run says of its power against what its elements and patches hold; the difference in words, if there is one.
+std::optional<std::string> contradiction(const Json& run, const RefinedReport& report, const Emissions& emissions,
+                                         const SceneShooting& state, double tolerance) {
+  const PatchModel& model = report.solution.model;
+  const Scene& scene = report.file.scene;
+  const auto sums =
+      static_cast<int>(state.irradiance.size() + state.unshot.size() + 64);  // roundings of a sum, and of its terms
+  const Rgb unshot = unshot_power(model, state), stated = triple(run.at("unshot_watts"));
+  if (!same(stated, unshot, unshot, sums)) return "\"unshot\" of its patches is not what \"unshot_watts\" says";
+  const Rgb emitted = before_shooting(model, emissions).emitted;
+  if (!same(state.emitted, emitted, emitted, sums)) return "\"emitted_watts\" is not what the scene emits";
+  const double share = unshot_share(model, state), told = state.unshot_shares.back();
+  if (!(std::abs(share - told) <= gamma_bound(sums) * share)) return "\"unshot_shares\" do not end with what is unshot";
+  Rgb absorbed = Rgb::Zero(), left = Rgb::Zero(), largest = Rgb::Zero();
+  for (std::size_t q = 0; q < state.irradiance.size(); ++q) {
+    const Rgb& rho = model.material_of(scene, model.patch_of(q)).rho;
+    absorbed += (1 - rho) * state.irradiance[q] * model.element_areas[q];
+    largest = largest.max(rho);
+  }
+  for (std::size_t j = 0; j < state.unshot.size(); ++j) left += state.unshot[j] * model.patch_areas[j];
+  // Each step rounds once in each sum; all that was ever shot, overshooting back and forth, is below 4 / (1 − ρ) of E A.
+  const int steps = sums + 4 * static_cast<int>(std::min<std::size_t>(state.steps, 1'000'000));
+  const Rgb all = 4 * emitted / (1 - largest);
+  if (!same(state.absorbed, absorbed, all, steps)) return "\"absorbed_watts\" is not what its elements absorb";
+  // Shares of a patch's light may sum to as much above 1 as its factors err, which counts as nothing escaped.
+  const Rgb excess = all * (report.bounded ? tolerance : 0);
+  const Rgb defect = (state.emitted - state.absorbed - state.escaped - left).abs();
+  if (report.solution.missed == 0 && !(defect <= excess + gamma_bound(steps) * all).all()) {
+    return "what was emitted is not absorbed, escaped and unshot together";
+  }
+  return std::nullopt;
+}
+
+/// Does every element's radiosity follow from what it received?
+std::optional<std::string> contradiction(const Json& elements, const RefinedReport& report) {
+  const PatchModel& model = report.solution.model;
+  const Emissions emissions = emissions_of(report.file.scene, model);
+  constexpr int kRoundings = 16;  // of one sum and product, of E and H of each light
+  for (std::size_t q = 0; q < elements.size(); ++q) {
+    const std::size_t patch = model.patch_of(q);
+    Rgb received = report.lights.empty() ? report.solution.state.irradiance[q] : Rgb(Rgb::Zero());
+    for (const LightSolution& light : report.lights) received += light.state.irradiance[q];
+    const Rgb expected = emissions[patch] + model.material_of(report.file.scene, patch).rho * received;
+    const int roundings = kRoundings + 2 * static_cast<int>(report.lights.size());
+    if (same(triple(elements.at(q).at("radiosity")), expected, expected.abs(), roundings)) continue;
+    return "\"radiosity\" of element " + std::to_string(q) + " is not what follows from its \"irradiance\"";
+  }
+  return std::nullopt;
+}
+
+/// Nothing that was written by hand is gone on with.
+Result<Done> check_whole(const Json& file, const std::filesystem::path& path, const RefinedReport& report,
+                         double tolerance) {
+  const auto refusal = [&](const std::string& what) {
+    return wrong(path, "contradicts itself: " + what + "; was it changed? Solve anew without it");
+  };
+  const PatchModel& model = report.solution.model;
+  const Json& runs = file.at("runs");
+  std::optional<std::string> what = contradiction(file.at("elements"), report);
+  if (!what && report.lights.empty()) {
+    what = contradiction(runs.at(0), report, emissions_of(report.file.scene, model), report.solution.state, tolerance);
+  }
+  for (std::size_t l = 0; l < report.lights.size() && !what; ++l) {
+    const LightSolution& light = report.lights[l];
+    what = contradiction(runs.at(l), report, emissions_of(report.file.scene, model, light.material), light.state,
+                         tolerance);
+  }
+  if (what) return refusal(*what);
+  return Done{};
+}
+
 /// Everything that was written; exceptions of the parser are the caller's.
-Result<Done> take(const Json& file, const std::filesystem::path& path, RefinedReport& report) {
+Result<Done> take(const Json& file, const std::filesystem::path& path, RefinedReport& report, double tolerance) {
   AdaptiveSolution& solution = report.solution;
   const Json& runs = file.at("runs");
   if (file.at("patches").size() != solution.mesh.patches ||
@@ -88,7 +169,7 @@ Result<Done> take(const Json& file, const std::filesystem::path& path, RefinedRe
     read_run(runs.at(l), report.lights[l].state);
     read_state(file, "irradiance_by_light", "unshot_by_light", &l, report.lights[l].state);
   }
-  return Done{};
+  return check_whole(file, path, report, tolerance);
 }
 
 }  // namespace
@@ -111,7 +192,14 @@ Result<Done> read_solution(const std::filesystem::path& path, RefinedReport& rep
     }
     report.settings = settings;
     report.bounded = file.at("form_factors").at("bounded").get<bool>();
-    return take(file, path, report);
+    constexpr double kLoosest = 0.1;  // that --tolerance takes
+    const double tolerance = same_settings ? report.request.tolerance : kLoosest;
+    if (const auto taken = take(file, path, report, tolerance); !taken) return taken;
+    // A round that ended with this mesh ends anew.
+    auto& rounds = report.solution.rounds;
+    const bool ended = !rounds.empty() && rounds.back().elements == report.solution.mesh.cells.size();
+    if (same_settings && ended) rounds.pop_back();
+    return Done{};
   } catch (const Json::exception& failure) {
     return wrong(path, std::string("damaged: ") + failure.what());
   }
@@ -120,6 +208,7 @@ Result<Done> read_solution(const std::filesystem::path& path, RefinedReport& rep
 Result<std::vector<Rgb>> light_factors(const std::string& text, const RefinedReport& report) {
   const Scene& scene = report.file.scene;
   std::vector<Rgb> factors(report.lights.size(), Rgb::Ones());
+  std::vector<bool> named(report.lights.size(), false);
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
     const auto fault = [&](const std::string& what) {
@@ -135,6 +224,8 @@ Result<std::vector<Rgb>> light_factors(const std::string& text, const RefinedRep
       known += (l > 0 ? ", " : "") + name;
     }
     if (light == report.lights.size()) return fault("no such material emits; those that do: " + known);
+    if (named[light]) return fault("this light is named twice; expected one factor for it");
+    named[light] = true;
     std::istringstream numbers(part.substr(equals + 1));
     std::vector<double> values;
     for (std::string number; std::getline(numbers, number, ':');) {

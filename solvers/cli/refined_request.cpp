@@ -73,6 +73,7 @@ void declare(Options& options, RefinedRequest& request) {
   add_sensors(options, request.sensors);
   add_extrapolation(options, request.sensors);
   add_results(options, request);
+  options.elsewhere({"--solver", "--certify", "--certify-tolerance"}, "--method full");
   options.note(
       "NAME.json holds every element with its corners, radiosity and irradiance, and all that is needed to go on. "
       "Without\n"

@@ -7,6 +7,7 @@
 
 #include "etendue/core/version.hpp"
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/io/row_file.hpp"
 #include "etendue/meshing/element_count.hpp"
 #include "etendue/meshing/shared_vertices.hpp"
 #include "etendue/meshing/surface_checks.hpp"
@@ -34,7 +35,7 @@ struct Request : SolutionRequest {
   std::string solver = "gauss";
   double tolerance = AssemblyTolerance{}.obstructed.relative;
   int steps = 100'000;
-  bool certify = false;
+  bool certify = false, resume = false;
   double certified = 0.02;  ///< half width asked of enclosures past obstructions, relative
 };
 
@@ -104,10 +105,16 @@ void declare(Options& options, Request& request) {
   options.real("--certify-tolerance", "T",
                "relative half width asked of enclosures past obstructions (default: 0.02), work allowing",
                request.certified, 1e-9, 1);
+  options.flag("--resume", "go on from NAME.factors.resume, to the same bits as without a pause", request.resume);
   add_meshing(options, request);
   add_sensors(options, request.sensors);
   add_extrapolation(options, request.sensors);
   add_results(options, request);
+  options.elsewhere({"--factors-by", "--resolution", "--points", "--mesh"},
+                    "--method hemicube, progressive and adaptive");
+  options.elsewhere({"--unshot", "--overshoot", "--ambient"}, "--method progressive and adaptive");
+  options.elsewhere({"--per-light"}, "--method progressive");
+  options.elsewhere({"--solve-by", "--threshold", "--levels", "--most-elements"}, "--method adaptive");
   options.note(
       "NAME.json holds the radiosity of every element with its bounds, the EXR radiosities [W/m²] as seen by the\n"
       "camera. A surface shows its front only, so a camera outside a room sees through the back of the nearest wall.\n"
@@ -117,7 +124,8 @@ void declare(Options& options, Request& request) {
       "Solvers that iterate go on until a proved bound on their error is below 1e-10 of the largest radiosity.\n"
       "Where form factors are less certain than --tolerance asks, everything is saved and the exit code is 4. After\n"
       "Ctrl-C what is done, rows of the form-factor matrix or channels, is saved as NAME.incomplete.json, once all is\n"
-      "solved as NAME.json, and the exit code is 6.");
+      "solved as NAME.json, and the exit code is 6. The rows are also in NAME.factors.resume: with --resume the same\n"
+      "command computes those that are missing, and all that comes after them.");
   options.note(
       "Without a scene, from form factors in a file: --factors FILE --reflectance R --emission E [--areas A]\n"
       "[--solver S] [--certify] [--tolerance X] [--steps N] [--row-excess X] [--repair-closure] [--output FILE];\n"
@@ -156,6 +164,32 @@ void certify(SolveReport& report, const Request& request, std::ostream& err) {
   }
 }
 
+std::filesystem::path rows_path(const Request& request) {
+  return solution_path(request, ".factors.resume");
+}
+
+/// What the rows of a form-factor matrix depend on.
+RowsKey rows_key(const SolveReport& report) {
+  return {{"version", version()},
+          {"scene hash", report.file.hash},
+          {"--tolerance", shortest(report.tolerance.obstructed.relative)},
+          {"--element-size", report.element_size > 0 ? shortest(report.element_size) : "as the scene says"},
+          {"--align-mesh", report.file.scene.align_mesh ? "on" : "off"},
+          {"elements", std::to_string(report.mesh.elements.size())}};
+}
+
+/// All form factors, or, when stopped, some of their rows.
+Result<FormFactorMatrix> found_factors(const SolveReport& report, const Request& request, std::ostream& err) {
+  FormFactorMatrix begun;
+  if (!report.begun.empty()) {
+    auto read = read_rows(report.begun, rows_key(report), report.mesh.elements.size());
+    if (!read) return read.error();
+    begun = std::move(read).value();
+  }
+  Progress progress(err, "form factors", request.common);
+  return assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress), std::move(begun));
+}
+
 /// From the scene of the report to its radiosities; when stopped, there is no solution.
 Result<Done> solve_scene(SolveReport& report, const Request& request, std::ostream& err) {
   if (const auto room = check_room(request, count_elements(report.file.scene)); !room) return room.error();
@@ -169,10 +203,9 @@ Result<Done> solve_scene(SolveReport& report, const Request& request, std::ostre
     const auto free = check_sensors(report.file.scene, FinalGather(report.mesh), report.sensors->sensors);
     if (!free) return free.error();
   }
-  {
-    Progress progress(err, "form factors", request.common);
-    report.matrix = assemble_form_factors(report.mesh, report.tolerance, execution(request.common, progress));
-  }
+  auto factors = found_factors(report, request, err);
+  if (!factors) return factors.error();
+  report.matrix = std::move(factors).value();
   if (!report.matrix.complete) return Done{};
   report.closure = closure_report(report.mesh, report.matrix);
   Progress progress(err, "solve", request.common);
@@ -220,18 +253,42 @@ Result<SolveReport> solved(const Request& request, std::ostream& err) {
     if (!sensors) return sensors.error();
     report.sensors = std::move(sensors).value();
   }
+  const fs::path rows = rows_path(request);
+  if (const auto free = check_outputs({rows}, report.file.files); !free) return free.error();
+  if (std::error_code absent; request.resume && !fs::exists(rows, absent)) {
+    err << "etendue solve: nothing to resume, beginning anew: there is no " << quoted_path(rows) << '\n';
+  } else if (request.resume) {
+    report.begun = rows;
+  }
   if (const auto done = solve_scene(report, request, err); !done) return done.error();
   if (request.certify && is_solved(report)) certify(report, request, err);
   return report;
 }
 
-int stopped(std::ostream& err, const std::string& what) {
-  return fail(err, kName, {ErrorCode::stopped, "stopped; " + what});
+/// Keeps the rows for --resume, and says so.
+int stopped(const SolveReport& report, const Request& request, std::ostream& err, const std::string& what) {
+  const fs::path rows = rows_path(request);
+  if (const auto kept = write_rows(rows, rows_key(report), report.matrix); !kept) return fail(err, kName, kept.error());
+  return fail(err, kName,
+              {ErrorCode::stopped, "stopped; " + what + ", and --resume goes on from " + quoted_path(rows)});
+}
+
+/// What is finished needs no going on.
+int finished(const Request& request, int code) {
+  std::error_code absent;
+  if (request.resume && code != static_cast<int>(ErrorCode::stopped)) {
+    for (const fs::path& path : {rows_path(request), solution_path(request, ".incomplete.json")}) {
+      fs::remove(path, absent);
+    }
+  }
+  return code;
 }
 
 /// What to end with, all being saved: 4 where form factors or their enclosures are less certain than was asked, and why.
 int judged(const SolveReport& report, const Request& request, std::ostream& err) {
-  if (report.certified && !report.certified->complete) return stopped(err, "all but the enclosures was saved");
+  if (report.certified && !report.certified->complete) {
+    return stopped(report, request, err, "all but the enclosures was saved");
+  }
   if (!report.not_certified.empty()) {
     return fail(err, kName,
                 {ErrorCode::not_converged, "not certified: " + report.not_certified + "; all else was saved"});
@@ -303,9 +360,12 @@ int solve(const std::vector<std::string>& arguments, std::ostream& out, std::ost
   } else if (!request.common.quiet) {
     print_summary(out, report);
   }
-  if (lost) return stopped(err, "sensors or pictures are missing; the radiosities are in " + quoted_path(report.json));
-  if (is_solved(report)) return judged(report, request, err);
-  return stopped(err, "what was done is in " + quoted_path(report.json));
+  if (lost) {
+    return stopped(report, request, err,
+                   "sensors or pictures are missing; the radiosities are in " + quoted_path(report.json));
+  }
+  if (is_solved(report)) return finished(request, judged(report, request, err));
+  return stopped(report, request, err, "what was done is in " + quoted_path(report.json));
 }
 
 }  // namespace etendue::cli

@@ -84,7 +84,11 @@ void declare(Options& options, Request& request) {
       "the\n"
       "solve goes to standard error, or, with --output, to standard output. A number in place of a file holds for all\n"
       "patches, one column for all channels.\n"
-      "Exit code 4: the bound that was asked is not reached; the result is written with the bound that was.");
+      "Exit code 4: the bound that was asked is not reached; the result is written with the bound that was.\n"
+      "Exit code 6, after Ctrl-C: an iteration writes what it has reached, with its bound; an elimination has nothing "
+      "to\n"
+      "write before its end, and says so. A further run begins anew: --resume is for scenes, whose form factors take "
+      "long.");
   options.example(
       "etendue solve --factors docs/examples/duct.csv --reflectance 0.5 --emission docs/examples/duct-emission.csv");
   options.example(
@@ -203,7 +207,9 @@ std::string not_reciprocal(const Request& request, const FactorsData& data) {
 int judged(const Request& request, const FactorsData& data, const FactorsSolution& solution, std::ostream& err) {
   const RadiosityReport& report = solution.report;
   if (report.status == RadiosityStatus::stopped) {
-    return fail(err, kName, {ErrorCode::stopped, "stopped; the result is what was reached, with its bound"});
+    return fail(
+        err, kName,
+        {ErrorCode::stopped, "stopped; the result is what was reached, with its bound; a further run begins anew"});
   }
   if (solution.not_certified) {
     const auto code = solution.not_certified->code;
@@ -235,6 +241,12 @@ int solve_factors(const std::vector<std::string>& arguments, std::ostream& out, 
   }();
   if (!data) return fail(err, kName, data.error());
   const auto solution = solved(request, *data, err);
+  if (!solution && solution.error().code == ErrorCode::stopped) {
+    return fail(err, kName,
+                {ErrorCode::stopped,
+                 "stopped in the elimination: before its end there is nothing to save; solvers that iterate (--solver "
+                 "gmres) write what they have reached"});
+  }
   if (!solution) return fail(err, kName, solution.error());
   const std::string csv = result_csv(*solution);
   std::ostream& told = output.empty() ? err : out;

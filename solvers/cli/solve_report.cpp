@@ -32,7 +32,8 @@ std::string between(const SolveReport& report, std::size_t first, std::size_t se
 const char* state(const ClosureReport& closure) {
   if (closure.judged == 0) return "none to judge";
   if (closure.exceeded > 0) return "exceeded";
-  return closure.open > 0 || closure.facing_void > 0 ? "open" : "closed";
+  if (closure.open > 0 || closure.facing_void > 0) return "open";
+  return closure.unknown > 0 ? "unknown" : "closed";
 }
 
 Json closure_json(const ClosureReport& closure) {
@@ -41,6 +42,7 @@ Json closure_json(const ClosureReport& closure) {
             {"elements_open", closure.open},
             {"elements_exceeded", closure.exceeded},
             {"elements_facing_void", closure.facing_void},
+            {"elements_unknown", closure.unknown},
             {"covered_elements", closure.covered}};
   json["defect"] = closure.judged > 0 ? Json(closure.defect) : Json(nullptr);
   json["worst_element"] = closure.judged > 0 ? Json(closure.worst) : Json(nullptr);
@@ -231,10 +233,24 @@ void print_closure(std::ostream& out, const SolveReport& report) {
     out << "covered      " << closure.covered.size()
         << " elements lie inside or under other surfaces and see no front\n";
   }
+  if (closure.unknown > 0) {
+    out << "unknown      " << counted(closure.unknown, "element")
+        << (closure.unknown == 1 ? ", whose" : ", each of whose") << " form factors are known to 1 or worse together\n";
+  }
   if (closure.facing_void > 0) {
     out << "void         " << counted(closure.facing_void, "element")
         << (closure.facing_void == 1 ? " sees no front and faces the void\n" : " see no front and face the void\n");
   }
+}
+
+/// Which pairs keep the tolerance. It is asked of the larger of two elements, whose share of the smaller one is known to
+/// it; what a tiny element sees of others may be unknown all the same.
+std::string tolerance_words(const SolveReport& report) {
+  const FormFactorMatrix& matrix = report.matrix;
+  if (matrix.missed.pairs > 0) return "missed by " + std::to_string(matrix.missed.pairs) + " pairs";
+  if (!matrix.complete) return "kept by the pairs that are done";
+  if (report.closure.unknown == 0) return "kept by all pairs";
+  return "kept from the larger element of all pairs, not from " + counted(report.closure.unknown, "tiny element");
 }
 
 }  // namespace
@@ -288,10 +304,8 @@ void print_summary(std::ostream& out, const SolveReport& report) {
       << matrix.pairs.blocked << " blocked, " << matrix.pairs.averted << " averted\n"
       << "reciprocity  " << rounded(matrix.reciprocity.defect) << " at most over " << matrix.reciprocity.pairs
       << " pairs computed from both sides; " << matrix.reciprocity.disagreements << " beyond their bounds\n"
-      << "tolerance    " << rounded(report.tolerance.obstructed.relative) << ": "
-      << (matrix.missed.pairs == 0 ? (matrix.complete ? "kept by all pairs" : "kept by the pairs that are done")
-                                   : "missed by " + std::to_string(matrix.missed.pairs) + " pairs")
-      << "; " << matrix.reciprocity.refined << " were computed in parts until both sides agreed\n";
+      << "tolerance    " << rounded(report.tolerance.obstructed.relative) << ": " << tolerance_words(report) << "; "
+      << matrix.reciprocity.refined << " were computed in parts until both sides agreed\n";
   if (!report.solution) {
     out << "stopped      " << rows_done(report) << " of " << report.mesh.elements.size() << " rows are done\n"
         << printable(report.json.string()) << '\n';

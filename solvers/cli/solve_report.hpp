@@ -23,6 +23,7 @@ struct SolveReport : SolutionFiles {
   std::string solver;
   double element_size = 0;  ///< of --element-size; 0: as the scene says
   AssemblyTolerance tolerance;
+  std::filesystem::path begun;  ///< with --resume: the rows that an earlier run has saved; empty: none
   ElementMesh mesh;
   FormFactorMatrix matrix;
   ClosureReport closure;

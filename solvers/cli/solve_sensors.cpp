@@ -9,6 +9,7 @@
 
 #include "etendue/meshing/halved.hpp"
 #include "etendue/text/number_text.hpp"
+#include "etendue/text/utf8.hpp"
 #include "outputs.hpp"
 #include "solve_report.hpp"
 
@@ -91,7 +92,7 @@ Result<SensorReport> opened_sensors(const SensorRequest& request, const SceneFil
   if (request.extrapolate) {
     if (const auto coarse = with_half_the_elements(scene.scene); !coarse) return coarse.error();
   }
-  return SensorReport{std::move(sensors).value(), {}, request.efficacy, 0, csv};
+  return SensorReport{std::move(sensors).value(), {}, request.efficacy, 0, {}, csv};
 }
 
 Result<SensorReport> measured(const SolvedElements& solved, SensorReport sensors, const Execution& execution) {
@@ -112,6 +113,7 @@ Result<SensorReport> measured(const SolveReport& report, SensorReport sensors, c
   if (!coarse_report) return coarse_report.error();
   const auto coarse = readings(solved_elements(*coarse_report), sensors.sensors, execution);
   if (!coarse) return coarse.error();
+  sensors.not_halved = not_halved(report.file.scene);
   sensors.coarse_elements = coarse_report->mesh.elements.size();
   for (std::size_t k = 0; k < fine->size(); ++k) {
     const Extrapolated one = extrapolated((*fine)[k], (*coarse)[k]);
@@ -136,6 +138,15 @@ void print_sensors(std::ostream& out, const SensorReport& sensors) {
   if (sensors.coarse_elements > 0) {
     out << "elements     extrapolated from " << sensors.coarse_elements << " as well, which changed sensors by "
         << rounded(100 * largest_discretisation(sensors)) << " % of the largest at most\n";
+    if (!sensors.not_halved.empty()) {
+      constexpr std::size_t kMostNames = 5;
+      out << "not halved   " << counted(sensors.not_halved.size(), "object")
+          << " of a single element along an edge, whose part in the error is not estimated: ";
+      for (std::size_t k = 0; k < std::min(kMostNames, sensors.not_halved.size()); ++k) {
+        out << (k > 0 ? ", " : "") << printable(sensors.not_halved[k]);
+      }
+      out << (sensors.not_halved.size() > kMostNames ? ", …\n" : "\n");
+    }
   }
 }
 
@@ -146,7 +157,8 @@ Json sensors_json(const SensorReport& sensors, bool all) {
   json["luminance_weights"] = {kLuminanceWeights[0], kLuminanceWeights[1], kLuminanceWeights[2]};
   if (sensors.coarse_elements > 0) {
     json["extrapolated"] = {{"coarse_elements", sensors.coarse_elements},
-                            {"largest_discretisation", largest_discretisation(sensors)}};
+                            {"largest_discretisation", largest_discretisation(sensors)},
+                            {"not_halved", sensors.not_halved}};
   }
   if (!all) return json;
   json["readings"] = Json::array();

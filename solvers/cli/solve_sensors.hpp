@@ -33,7 +33,8 @@ struct SensorReport {
   std::vector<Sensor> sensors;
   std::vector<SensorResult> results;  ///< as many, once measured
   double efficacy = kWhiteEfficacy;
-  std::size_t coarse_elements = 0;  ///< of the mesh that was extrapolated from; 0 where none was
+  std::size_t coarse_elements = 0;      ///< of the mesh that was extrapolated from; 0 where none was
+  std::vector<std::string> not_halved;  ///< objects whose elements were the same in that mesh: not_halved()
   std::filesystem::path csv;
 };
 

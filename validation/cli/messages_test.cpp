@@ -163,5 +163,21 @@ TEST(Program, PrintsNothingThatCommandsATerminal) {
   EXPECT_TRUE(all_agree(wrong + silent, 2 * all.size()));
 }
 
+// CLAIM      A word that reads as a number but is none to compute with is a wrong number (3), not the name of a file (5).
+// ORACLE     exact: exit codes and words.
+// TOLERANCE  none.
+TEST(SolveFactors, TakesNoNanForAFile) {
+  proves({}, Oracle::exact, "exit codes and words");
+  const TemporaryFolder folder;
+  const std::string factors = folder.add("F.csv", "0,1\n1,0\n").string();
+  for (const std::string word : {"nan", "NaN", "inf", "-inf", "+infinity", "1e999"}) {
+    const Ended ended = run_etendue({"solve", "--factors", factors, "--reflectance", "0.5", "--emission", word});
+    const std::string expected = "--emission: found '" + word + "', expected a finite number";
+    EXPECT_TRUE(holds(ended.code == 3 && ended.err.find(expected) != std::string::npos))
+        << word << ended.code << ended.err;
+  }
+  EXPECT_EQ(run_etendue({"solve", "--factors", factors, "--reflectance", "0.5", "--emission", "nano"}).code, 5);
+}
+
 }  // namespace
 }  // namespace etendue::validation

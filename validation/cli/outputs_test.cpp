@@ -39,7 +39,7 @@ TEST(Program, TriesAllItsOutputsFirst) {
   const auto with_light = scenes.add("lit.json", lit);
   const std::vector<Command> all{
       {"render", scenes.add("large.json", large).string(), {"a.exr", "a.png", "a.incomplete.exr", "a.incomplete.png"}},
-      {"solve", with_light.string(), {"a.exr", "a.png", "a.json", "a.incomplete.json"}},
+      {"solve", with_light.string(), {"a.exr", "a.png", "a.json", "a.incomplete.json", "a.factors.resume"}},
   };
   std::uint64_t wrong = 0, decided = 0;
   for (const Command& command : all) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/furnace_text.hpp"
@@ -92,12 +93,63 @@ TEST(RefinedCommand, ResumesToTheSameBytes) {
   EXPECT_EQ(solve(scene, with({"--resume"})).code, 0);
   EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == whole));
 
+  std::vector<std::string> less = method;
+  less.back() = "0.05";
+  EXPECT_EQ(solve(scene, less).code, 0);
+  EXPECT_EQ(report_of(folder, "out.json")["status"], "solved");
+  EXPECT_EQ(solve(scene, with({"--resume"})).code, 0);
+  EXPECT_TRUE(holds(read_text(folder.path() / "out.json") == whole)) << "also from what was finished";
+
   const Ended finer = solve(scene, {"--method", "progressive", "--resolution", "100", "--resume"});
   EXPECT_TRUE(holds(finer.code == 3 && finer.err.find("found by other settings") != std::string::npos)) << finer.err;
   const auto changed = folder.add("fine.json", fine_furnace() + "\n");
   const Ended other = solve(changed, with({"--resume"}));
   EXPECT_TRUE(holds(other.code == 3 && other.err.find("a solution of another scene") != std::string::npos))
       << other.err;
+}
+
+// CLAIM      IU.6.6: a saved solution that does not hold together is not gone on with: what is unshot is held to what is
+//            emitted, absorbed and escaped, radiosities to irradiances; what was saved is, of shooting, overshooting and per light.
+// ORACLE     identity: one number changed at a time.
+// TOLERANCE  none: exit codes and messages.
+TEST(RefinedCommand, RefusesASolutionThatContradictsItself) {
+  proves({"IU.6.6"}, Oracle::identity, "one number changed at a time");
+  const TemporaryFolder folder;
+  const auto scene = folder.add("furnace.json", furnace_text());
+  for (const std::string how : {"", "--overshoot", "--per-light"}) {
+    std::vector<std::string> begun{"--method", "progressive", "--resolution", "64", "--samples", "1"};
+    if (!how.empty()) begun.push_back(how);
+    std::vector<std::string> more = begun;
+    begun.insert(begun.end(), {"--steps", "3"});
+    more.insert(more.end(), {"--resume", "--steps", "5"});
+    ASSERT_EQ(solve(scene, begun).code, 0);
+    const Json saved = report_of(folder, "out.json");
+    const auto refused = [&](const std::string& pointer, double factor, const std::string& why) {
+      Json changed = saved;
+      Json& number = changed[Json::json_pointer(pointer)];
+      number = number.get<double>() * factor;
+      folder.add("out.json", changed.dump());
+      const Ended ended = solve(scene, more);
+      EXPECT_TRUE(holds(ended.code == 3 && ended.err.find("contradicts itself: " + why) != std::string::npos))
+          << pointer << ended.code << ended.err;
+    };
+    const bool apart = how == "--per-light";
+    refused(apart ? "/patches/4/unshot_by_light/0/1" : "/patches/4/unshot/1", 1 + 1e-9, "\"unshot\" of its patches");
+    refused("/elements/7/radiosity/0", 1 + 1e-9, "\"radiosity\" of element 7 is not");
+    refused(apart ? "/elements/7/irradiance_by_light/0/0" : "/elements/7/irradiance/0", 1.5,
+            "\"radiosity\" of element 7");
+    refused("/runs/0/emitted_watts/2", 1 + 1e-9, "\"emitted_watts\" is not what the scene emits");
+    refused("/runs/0/absorbed_watts/2", 1 + 1e-9, "\"absorbed_watts\" is not");
+    Json changed = saved;
+    changed["runs"][0]["escaped_watts"][0] = changed["runs"][0]["escaped_watts"][0].get<double>() + 1e-6;
+    folder.add("out.json", changed.dump());
+    const Ended balance = solve(scene, more);
+    EXPECT_TRUE(
+        holds(balance.code == 3 && balance.err.find("absorbed, escaped and unshot together") != std::string::npos))
+        << balance.err;
+    folder.add("out.json", saved.dump());
+    EXPECT_EQ(solve(scene, more).code, 0);
+  }
 }
 
 // CLAIM      solve --per-light keeps each light's own solution, and --relight combines them as a fresh solve of the scene with those
@@ -137,7 +189,7 @@ TEST(RefinedCommand, RelightsWhatItSolvedPerLight) {
   EXPECT_EQ(solve(scene, {"--relight", "other=1"}).code, 3) << "the scene was changed";
   folder.add("lit.json", replaced(read_text(scene), "[4, 2, 0]", "[2, 4, 6]"));
   ASSERT_EQ(solve(scene, apart).code, 0);
-  for (const std::string wrong : {"lamp=1", "other", "other=-1", "other=1:2", "other=x"}) {
+  for (const std::string wrong : {"lamp=1", "other", "other=-1", "other=1:2", "other=x", "other=1,other=2"}) {
     const Ended refused = solve(scene, {"--relight", wrong});
     EXPECT_TRUE(holds(refused.code == 2)) << wrong << ": " << refused.code << refused.err;
   }
@@ -146,6 +198,13 @@ TEST(RefinedCommand, RelightsWhatItSolvedPerLight) {
                                                 {"--method", "progressive", "--solve-by", "elimination"},
                                                 {"--method", "adaptive", "--per-light"}}) {
     EXPECT_TRUE(holds(solve(scene, wrong).code == 2)) << wrong[1];
+  }
+  const std::pair<std::vector<std::string>, std::string> strayed[] = {
+      {{"--method", "progressive", "--solver", "lu"}, "option '--solver' belongs to --method full\n"},
+      {{"--unshot", "0.1"}, "option '--unshot' belongs to --method progressive and adaptive\n"}};
+  for (const auto& [options, words] : strayed) {
+    const Ended refused = solve(scene, options);
+    EXPECT_TRUE(holds(refused.code == 2 && refused.err.find(words) != std::string::npos)) << refused.err;
   }
 }
 

@@ -142,6 +142,39 @@ TEST(SolveSensors, ReadWhateverWasSolved) {
   EXPECT_EQ(solve(folder, scene, sensors, {"--method", "progressive", "--extrapolate"}).code, 2);
 }
 
+// CLAIM      Where no object that reflects has more than one element along an edge, --extrapolate is refused with 3: the coarser mesh
+//            would be the same, and an error of 0 a wrong estimate. Where some have, those that have not are named; what only
+//            emits needs no elements and is not.
+// ORACLE     exact: the objects, counted by hand.
+// TOLERANCE  none.
+TEST(SolveSensors, SayWhatExtrapolationCannotEstimate) {
+  proves({}, Oracle::exact, "objects counted by hand");
+  const TemporaryFolder folder;
+  Json scene = Json::parse(furnace_text());
+  scene["materials"]["lamp"] = {{"rho", 0}, {"emission", 5}};
+  for (Json& object : scene["objects"]) object["elements"] = {1, 1};
+  scene["objects"].back()["material"] = "lamp";
+  const auto sensors = folder.add("sensors.json", kSensors);
+  const auto path = folder.add("cube.json", scene.dump());
+  const Ended refused = solve(folder, path, sensors, {"--extrapolate"});
+  EXPECT_TRUE(holds(refused.code == 3 && refused.err.find("no mesh is coarser") != std::string::npos)) << refused.err;
+  EXPECT_EQ(folder.contents(), "cube.json sensors.json");
+  scene["objects"][0]["elements"] = {2, 2};
+  scene["objects"][1]["elements"] = {4, 1};
+  folder.add("cube.json", scene.dump());
+  const Ended some = solve(folder, path, sensors, {"--extrapolate"});
+  ASSERT_EQ(some.code, 0) << some.err;
+  EXPECT_TRUE(holds(some.out.find("not halved   4 objects of a single element along an edge") != std::string::npos))
+      << some.out;
+  const Json report = Json::parse(read_text(folder.path() / "out.json"))["sensors"]["extrapolated"];
+  EXPECT_EQ(report["not_halved"], Json({"ceiling", "left", "right", "far"}));
+  for (Json& object : scene["objects"]) object["elements"] = {2, 2};
+  scene["objects"].back()["elements"] = {1, 1};
+  folder.add("cube.json", scene.dump());
+  const Ended all = solve(folder, path, sensors, {"--extrapolate"});
+  EXPECT_TRUE(holds(all.code == 0 && all.out.find("not halved") == std::string::npos)) << all.out;
+}
+
 // CLAIM      Sensors are read strictly: each error is told with file, line and what was expected, all at once, with exit code 3;
 //            a text file does as well as JSON.
 // ORACLE     identity: files with one error each.

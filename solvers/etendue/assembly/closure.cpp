@@ -23,6 +23,7 @@ Vec3 way_out(const Vec3& normal, int k) {
 }
 
 Outlook outlook(const ElementMesh& mesh, std::size_t k, double sum, double bound) {
+  if (!(bound < 1)) return Outlook::unknown;
   if (sum <= bound) return is_covered(mesh, mesh.elements[k]) ? Outlook::covered : Outlook::facing_void;
   if (sum > 1 + bound) return Outlook::exceeded;
   return sum < 1 - bound ? Outlook::open : Outlook::closed;
@@ -35,6 +36,9 @@ void enter(ClosureReport& report, std::size_t k) {
       return;
     case Outlook::facing_void:
       ++report.facing_void;
+      return;
+    case Outlook::unknown:
+      ++report.unknown;
       return;
     case Outlook::closed:
       ++report.closed;

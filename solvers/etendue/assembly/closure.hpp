@@ -15,6 +15,7 @@ enum class Outlook {
   exceeded,     ///< above 1: surfaces overlap, or bounds are wrong
   covered,      ///< 0, and surfaces all around show it their backs: it lies inside or under something
   facing_void,  ///< 0, and a way leads out of the scene
+  unknown,      ///< the bounds of its factors sum to one or more: anything may be
 };
 
 /// Directions in which an element without a view looks for a way out; found_covered() says how they are spread.
@@ -30,7 +31,7 @@ struct ClosureReport {
   Eigen::VectorXd row_bounds;        ///< Σ_j of the bounds, and what n roundings add
   std::vector<Outlook> outlooks;     ///< of each element
   std::vector<std::size_t> covered;  ///< the elements that are Outlook::covered
-  std::size_t closed = 0, open = 0, exceeded = 0, facing_void = 0;
+  std::size_t closed = 0, open = 0, exceeded = 0, facing_void = 0, unknown = 0;
   std::size_t judged = 0;  ///< closed, open and exceeded ones: those that see something
   double defect = 0;       ///< max |1 − Σ_j F_ij| over these
   std::size_t worst = 0;   ///< the element where; meaningless where none is judged

@@ -2,6 +2,7 @@
 #include "etendue/assembly/form_factor_matrix.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "etendue/assembly/exact_exchange.hpp"
 #include "etendue/core/rounding.hpp"
@@ -9,12 +10,6 @@
 namespace etendue {
 
 namespace {
-
-struct RowReport {
-  PairCounts pairs;
-  ReciprocityReport reciprocity;
-  MissedTolerance missed;
-};
 
 void count(const PairFactor& found, ReciprocityReport& report) {
   if (!found.checked) return;
@@ -64,42 +59,62 @@ void add(RowReport& sum, const RowReport& row) {
   join(sum.missed, row.missed);
 }
 
+/// Row i right of the diagonal, and what there is to report of it.
+void compute_row(const ElementMesh& mesh, const ExactExchange& exact, const AssemblyTolerance& tolerance,
+                 std::size_t row, FormFactorMatrix& matrix) {
+  const std::size_t n = mesh.elements.size();
+  std::vector<SurfacePair> pairs;
+  for (std::size_t column = row + 1; column < n; ++column) pairs.push_back({row, column});
+  const std::vector<SeenPair> seen = exact.factors(pairs, AbsoluteError::of_this);
+  RowReport& report = matrix.rows[row];
+  for (std::size_t column = row + 1; column < n; ++column) {
+    const auto& [sight, found] = seen[column - row - 1];
+    const Bounded factor = found.factor;
+    count(sight, report.pairs);
+    const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
+    const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
+    count(found, report.reciprocity);
+    const double allowed = std::max(allowed_error(tolerance.free, factor.value, ratio),
+                                    allowed_error(tolerance.obstructed, factor.value, ratio));
+    if (factor.bound > allowed * (1 + gamma_bound(4))) join(report.missed, {1, row, column, factor.bound, allowed});
+    matrix.factors(i, j) = factor.value;
+    matrix.bounds(i, j) = factor.bound;
+  }
+}
+
+/// F_ji = A_i F_ij / A_j, left of the diagonal.                                                     @eq IU.6-5
+void mirror_row(const ElementMesh& mesh, std::size_t row, FormFactorMatrix& matrix) {
+  for (std::size_t column = row + 1; column < mesh.elements.size(); ++column) {
+    const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
+    const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
+    matrix.factors(j, i) = matrix.factors(i, j) * ratio;
+    matrix.bounds(j, i) = matrix.bounds(i, j) * ratio;
+  }
+}
+
 }  // namespace
 
 FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTolerance& tolerance,
-                                       const Execution& execution) {
+                                       const Execution& execution, FormFactorMatrix begun) {
   const std::size_t n = mesh.elements.size();
-  const auto size = static_cast<Eigen::Index>(n);
+  FormFactorMatrix matrix = std::move(begun);
+  if (matrix.row_done.empty()) {
+    const auto size = static_cast<Eigen::Index>(n);
+    matrix.factors = matrix.bounds = Eigen::MatrixXd::Zero(size, size);
+    matrix.row_done.assign(n, false);
+    matrix.rows.assign(n, {});
+  }
+  require(matrix.row_done.size() == n && matrix.rows.size() == n, "assemble_form_factors: rows of this mesh");
   const ExactExchange exact(mesh, tolerance);
-  FormFactorMatrix matrix{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size), {}, {}, {}, {}, false};
-  std::vector<RowReport> rows(n);
-  std::vector<char> done(n, 0);  // not vector<bool>: threads write neighbours
-
+  std::vector<char> done(matrix.row_done.begin(), matrix.row_done.end());  // not vector<bool>: threads write neighbours
   matrix.complete = parallel_for(n, execution, [&](std::size_t row) {
-    std::vector<SurfacePair> pairs;
-    for (std::size_t column = row + 1; column < n; ++column) pairs.push_back({row, column});
-    const std::vector<SeenPair> seen = exact.factors(pairs, AbsoluteError::of_this);
-    for (std::size_t column = row + 1; column < n; ++column) {
-      const auto& [sight, found] = seen[column - row - 1];
-      const Bounded factor = found.factor;
-      count(sight, rows[row].pairs);
-      const auto i = static_cast<Eigen::Index>(row), j = static_cast<Eigen::Index>(column);
-      const double ratio = mesh.elements[row].polygon.area() / mesh.elements[column].polygon.area();
-      count(found, rows[row].reciprocity);
-      const double allowed = std::max(allowed_error(tolerance.free, factor.value, ratio),
-                                      allowed_error(tolerance.obstructed, factor.value, ratio));
-      if (factor.bound > allowed * (1 + gamma_bound(4)))
-        join(rows[row].missed, {1, row, column, factor.bound, allowed});
-      matrix.factors(i, j) = factor.value;
-      matrix.bounds(i, j) = factor.bound;
-      matrix.factors(j, i) = factor.value * ratio;
-      matrix.bounds(j, i) = factor.bound * ratio;
-    }
+    if (!done[row]) compute_row(mesh, exact, tolerance, row, matrix);
+    mirror_row(mesh, row, matrix);
     done[row] = 1;
   });
 
   RowReport sum;
-  for (const RowReport& row : rows) add(sum, row);
+  for (const RowReport& row : matrix.rows) add(sum, row);
   matrix.pairs = sum.pairs;
   matrix.reciprocity = sum.reciprocity;
   matrix.missed = sum.missed;

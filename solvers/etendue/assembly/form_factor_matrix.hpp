@@ -36,6 +36,13 @@ struct MissedTolerance {
   double allowed = 0;                 ///< and what was asked
 };
 
+/// What one row, the pairs i < j, adds to the reports.
+struct RowReport {
+  PairCounts pairs;
+  ReciprocityReport reciprocity;
+  MissedTolerance missed;
+};
+
 /// The form factors between the elements of a scene, as computed: nothing is normalised.
 struct FormFactorMatrix {
   Eigen::MatrixXd factors;  ///< F_ij, n × n
@@ -43,8 +50,9 @@ struct FormFactorMatrix {
   PairCounts pairs;
   ReciprocityReport reciprocity;
   MissedTolerance missed;
-  std::vector<bool> row_done;  ///< all true unless stopped
-  bool complete = false;       ///< false: stopped; pairs of two rows that are not done are zero
+  std::vector<bool> row_done;     ///< all true unless stopped
+  bool complete = false;          ///< false: stopped; pairs of two rows that are not done are zero
+  std::vector<RowReport> rows{};  ///< of each row that is done
 };
 
 /// F_ij for all pairs i < j, and F_ji = A_i F_ij / A_j.                                  @eq IU.6-3, IU.6-4, IU.6-5
@@ -52,8 +60,10 @@ struct FormFactorMatrix {
 /// Accuracy  clear pairs: as form_factor() bounds them, proved. Obstructed pairs: as ExactExchange computes them,
 ///           measured. Touching surfaces: as SightMap::slack()
 /// Returns   also where the tolerance is missed, with the bounds reached: MissedTolerance counts these pairs
-/// Order     the same bits with any number of threads; stops between rows
+/// Order     the same bits with any number of threads; stops between rows. Rows of `begun` that are done stay as they
+///           are, right of the diagonal: going on has the same bits as never having stopped
+/// Contract  `begun` is empty, or of this mesh and tolerance, or read_rows() of such a one
 [[nodiscard]] FormFactorMatrix assemble_form_factors(const ElementMesh& mesh, const AssemblyTolerance& tolerance,
-                                                     const Execution& execution);
+                                                     const Execution& execution, FormFactorMatrix begun = {});
 
 }  // namespace etendue
