@@ -128,6 +128,48 @@ std::array<Vec3, 8> corners_of(const Vec3& low, const Vec3& high) {
   return v;
 }
 
+// CLAIM      IU.6-4, IU.6-5: a board that stands before another of its outline, at a small gap, hides the room from the face between
+//            them however both are turned: its sides' planes hold that face's edges but for their rounding.
+// ORACLE     metamorphic: the boards as they stand on the axes, with the board's six faces as single plates; both sides.
+// TOLERANCE  the returned bounds; kTurned of the free factor, 64 roundings of corners of size 3 over the gap.
+TEST(Coincidence, OfASourceAndTheSidesOfASolidIsNotSeen) {
+  proves({"IU.6-4", "IU.6-5"}, Oracle::metamorphic, "flush boards at gaps of 0.01 to 0.5, 60 turns, both sides");
+  constexpr std::uint64_t kSeed = 20261127;
+  constexpr double kTurned = 64 * 3 / 0.01 * 0x1p-53;
+  uses_seed(kSeed);
+  Random random(kSeed);
+  for (const auto& [thick, gap] :
+       {std::pair(0.01, 0.01), std::pair(0.5, 0.01), std::pair(0.1, 0.03), std::pair(0.5, 0.5)}) {
+    const std::vector<Vec3> face{{1.5, 1.5, 0.2}, {1.5 - thick, 1.5, 0.2}, {1.5 - thick, 1.5, 2.8}, {1.5, 1.5, 2.8}};
+    const std::vector<Vec3> wall{{0, 0, 0}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}};
+    const auto corners = corners_of({1.5 - thick, 1.5 + gap, 0.2}, {1.5, 2.8, 2.8});
+    const std::vector<Polygon> faces = block(corners);
+    const Exchange still = exchange(polygon(face), polygon(wall), faces, {1e-6, 1e-9});
+    EXPECT_TRUE(near(still.there.value, still.back.value, still.bounds() + kFrame));
+    for (int turn = 0; turn < 15; ++turn) {
+      const Mat3 frame = random.rotation();
+      const auto first = static_cast<std::ptrdiff_t>(random.index(4));
+      const auto turned = [&](std::vector<Vec3> points) {
+        std::rotate(points.begin(), points.begin() + first, points.end());
+        for (Vec3& p : points) p = frame * p;
+        return points;
+      };
+      std::array<Vec3, 8> moved = corners;
+      for (Vec3& p : moved) p = frame * p;
+      const Blocker board = Blocker::solid(block(moved)).value();
+      const Polygon from = polygon(turned(face)), to = polygon(turned(wall));
+      const std::vector<const Blocker*> blockers{&board};
+      const Bounded there = obstructed_form_factor(from, to, blockers, {1e-5, 1e-9});
+      const Bounded back = obstructed_form_factor(to, from, blockers, {1e-5, 1e-9});
+      const double share = to.area() / from.area();
+      EXPECT_TRUE(near(there.value, still.there.value, there.bound + still.there.bound + kTurned))
+          << thick << ' ' << gap;
+      EXPECT_TRUE(near(share * back.value, still.there.value, share * back.bound + still.there.bound + kTurned))
+          << thick;
+    }
+  }
+}
+
 // CLAIM      IU.6-4: where a table stands on its legs but for a rounding, or they reach into it by one, the underside sees a leg as if they
 //            touched exactly; what a leg covers sees nothing.
 // ORACLE     metamorphic: the table moved by −2 to 2 units in the last place of its height; the other side; a point of the underside

@@ -94,21 +94,61 @@ void add(const CellView& view, const Vec2& c0, const Vec2& c1, const Vec2& c2, c
   sum.evaluations += static_cast<int>(n * n);
 }
 
-/// The corner of the cell that a point comes near, compared with the cell's size; or −1.
-int singular_corner(const Cell& cell, std::span<const Vec3> near) {
+/// The corners of the cell that points come near, compared with the cell's size, and the nearest of all, or −1.
+struct NearCorners {
+  unsigned bits = 0;
+  int nearest = -1;
+};
+
+NearCorners near_corners(const Cell& cell, std::span<const Vec3> near) {
   constexpr double kNear = 0.25;
-  double least = kNear * kNear * cell.longest().squaredNorm();
-  int corner = -1;
+  const double most = kNear * kNear * cell.longest().squaredNorm();
+  double least = most;
+  NearCorners found;
   for (const Vec3& p : near) {
-    if (p.z() * p.z() >= least) continue;
+    if (p.z() * p.z() >= most) continue;
+    double square = most;
+    int corner = -1;
     for (int i = 0; i < cell.size(); ++i) {
-      const double square = (cell[i] - p.head<2>()).squaredNorm() + p.z() * p.z();
-      if (square >= least) continue;
-      least = square;
+      const double here = (cell[i] - p.head<2>()).squaredNorm() + p.z() * p.z();
+      if (here >= square) continue;
+      square = here;
       corner = i;
     }
+    if (corner < 0) continue;
+    found.bits |= 1u << corner;
+    if (square >= least) continue;
+    least = square;
+    found.nearest = corner;
   }
-  return corner;
+  return found;
+}
+
+/// unseen_at_ends() at one corner.
+double unseen_at(const Vec2& corner, const CellView& view, const Cell& cell, double first_node, double least,
+                 int& evaluations) {
+  struct Look {
+    double way, factor;
+  };
+  const Vec2 way = cell.centre() - corner;
+  double missed = 0;
+  Look before{}, last{};
+  int looks = 0;
+  for (double share = 1; share > kNearestLook; share /= 4) {
+    const Cell end = cell.cut(way, way.dot(corner + share * way)).below;
+    if (end.size() < 3 || !(end.area() > least)) break;
+    const Vec2 point = end.centre();
+    Look look{way.dot(point - corner), 0};
+    view.look({&point, 1}, {&look.factor, 1});
+    ++looks;
+    if (looks > 2 && share <= first_node) {
+      const double slope = (last.factor - before.factor) / (last.way - before.way);
+      missed += end.area() * std::abs(look.factor - last.factor - slope * (look.way - last.way));
+    }
+    before = std::exchange(last, look);
+  }
+  evaluations += looks;
+  return missed;
 }
 
 }  // namespace
@@ -133,8 +173,9 @@ void CellView::look(std::span<const Vec2> points, std::span<double> factors) con
 CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> near, int n) {
   CellSum sum;
   const Rule& rule = rule_of(n);
-  const int apex = singular_corner(cell, near), size = cell.size();
-  sum.apex = apex;
+  const NearCorners singular = near_corners(cell, near);
+  const int apex = singular.nearest, size = cell.size();
+  sum.ends = singular.bits;
   sum.nodes = n;
   const auto corner = [&](int i) -> const Vec2& { return cell[(std::max(apex, 0) + i) % size]; };
   if (apex >= 0) {
@@ -149,30 +190,12 @@ CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> 
   return sum;
 }
 
-double unseen_at_apex(const CellView& view, const Cell& cell, const CellSum& sum, double least, int& evaluations) {
-  if (sum.apex < 0) return 0;
-  struct Look {
-    double way, factor;
-  };
-  const Vec2 corner = cell[sum.apex], way = cell.centre() - corner;
-  const double first_node = 1 + gauss_legendre(sum.nodes).front().x;
+double unseen_at_ends(const CellView& view, const Cell& cell, const CellSum& sum, double least, int& evaluations) {
   double missed = 0;
-  Look before{}, last{};
-  int looks = 0;
-  for (double share = 1; share > kNearestLook; share /= 4) {
-    const Cell end = cell.cut(way, way.dot(corner + share * way)).below;
-    if (end.size() < 3 || !(end.area() > least)) break;
-    const Vec2 point = end.centre();
-    Look look{way.dot(point - corner), 0};
-    view.look({&point, 1}, {&look.factor, 1});
-    ++looks;
-    if (looks > 2 && share <= first_node) {
-      const double slope = (last.factor - before.factor) / (last.way - before.way);
-      missed += end.area() * std::abs(look.factor - last.factor - slope * (look.way - last.way));
-    }
-    before = std::exchange(last, look);
+  for (int i = 0; i < cell.size(); ++i) {
+    if ((sum.ends >> i & 1u) == 0) continue;
+    missed += unseen_at(cell[i], view, cell, 1 + gauss_legendre(sum.nodes).front().x, least, evaluations);
   }
-  evaluations += looks;
   return missed;
 }
 

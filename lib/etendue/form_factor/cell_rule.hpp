@@ -38,7 +38,8 @@ struct CellSum {
   double tail = 0;
   /// Of a cell of four corners without a collapsed one: the same along its first side, and along the next.
   std::array<double, 2> tails{};
-  int apex = -1;  ///< the corner of the cell into which triangles were collapsed
+  unsigned ends =
+      0;          ///< a bit for each corner of the cell that a corner of a loop is nearest to, of those that come near
   int nodes = 0;  ///< a side
   int evaluations = 0;
 };
@@ -47,12 +48,11 @@ struct CellSum {
 /// the integrand depends on the direction from there: triangles collapsed into that corner make it smooth again.
 [[nodiscard]] CellSum integrate(const CellView& view, const Cell& cell, std::span<const Vec3> near, int n);
 
-/// What only points nearer to the apex than all nodes would tell: where an outline's corner all but touches the cell, the
-/// integrand may change by powers of ten within less than the first node's distance. The ends of the cell within a
-/// quarter, a sixteenth … of the way from the apex to the centre are looked at from their middles, down to the area
-/// `least`. What differs there from where the two before lead in a straight line counts on the area of the end. None
-/// without an apex.
-[[nodiscard]] double unseen_at_apex(const CellView& view, const Cell& cell, const CellSum& sum, double least,
+/// What only points nearer to such corners than all nodes would tell: where an outline's corner all but touches the cell,
+/// the integrand may change by powers of ten within less than the first node's distance. The ends of the cell within a
+/// quarter, a sixteenth … of the way from there to the centre are looked at from their middles, down to the area `least`.
+/// What differs there from where the two before lead in a straight line counts on the area of the end.
+[[nodiscard]] double unseen_at_ends(const CellView& view, const Cell& cell, const CellSum& sum, double least,
                                     int& evaluations);
 
 }  // namespace etendue

@@ -28,6 +28,9 @@ constexpr double kLeastGoal = 1e-10;
 constexpr double kLeastDecay = 1.0 / 16;
 /// With two nodes a side the estimate counts by so much.
 constexpr double kTwoNodes = 8;
+/// The last coefficient counts by so much where a quadrilateral of the cell is collapsed to a triangle: what is seen may grow
+/// from the corner on by high powers, and the stretch of the rule takes one of its degrees.
+constexpr double kTriangle = 4;
 /// Least quotient of the distance of the nearest singularity and the cell's radius at which rules converge fast.
 constexpr double kLeastReach = 1.25;
 constexpr int kMostNodes = 8;
@@ -224,7 +227,8 @@ void OuterIntegral::measure_analytic(Piece& piece, int nodes) {
   evaluations_ += sum.evaluations;
   const double decay = piece.decay, smooth = piece.free * piece.cell.area() * std::pow(decay, 2 * nodes);
   if (nodes > 2) {
-    piece.error = std::max(smooth, sum.tail * decay * decay * decay);
+    const double last = piece.cell.size() % 2 == 0 ? sum.tail : kTriangle * sum.tail;
+    piece.error = std::max(smooth, last * decay * decay * decay);
   } else {
     const double centre = (integrand_ == Integrand::hidden ? piece.hidden : piece.free - piece.hidden);
     const double difference = std::abs(sum.value - centre * piece.cell.area());
@@ -251,7 +255,7 @@ void OuterIntegral::measure_any(Piece& piece, bool fresh) {
   piece.tails = fine.tails;
   const double safety = piece.nodes == kLadder[1] ? kFirstSafety : kSafety;
   piece.error = safety * std::max(std::abs(fine.value - before), kTailShare * fine.tail);
-  piece.error = std::max(piece.error, kSafety * unseen_at_apex(view, piece.cell, fine, piece.error, evaluations_));
+  piece.error = std::max(piece.error, kSafety * unseen_at_ends(view, piece.cell, fine, piece.error, evaluations_));
   const double spread = (fine.high - fine.low) * piece.cell.area();
   if (piece.formed) return;
   piece.error = std::max({piece.error, piece.cut_stray, piece.bend * spread});

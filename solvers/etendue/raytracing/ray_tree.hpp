@@ -56,7 +56,7 @@ struct TreeLimits {
 struct RayStart {
   Media media;            ///< media_around() the eye; without it, the eye stands where no body is
   double wavelength = 0;  ///< [nm] of refractive indices; 0: those for all light at once
-  SampleKey key;          ///< ray i, where it strays in frosted surfaces, draws from key.part(i)
+  SampleKey key = {};     ///< ray i, where it strays in frosted surfaces, draws from key.part(i)
 };
 
 /// Follows a ray from the eye and every reflected and transmitted ray that it causes.       @eq IU.5-2, IU.4-6, IU.5-7
