@@ -84,12 +84,14 @@ void aim(Random& random, const Shape& shape, Counts& general, Counts& adversaria
   const auto hit = intersect(ray, shape);
   if (!hit) return;
   for (const double end : {hit->t, std::nextafter(hit->t, 0), std::nextafter(hit->t, 2 * hit->t)}) {
-    Ray part = ray;
-    part.t_min = end;
-    ask(part, shape, adversarial);
-    part.t_min = 0;
-    part.t_max = end;
-    ask(part, shape, adversarial);
+    for (const bool from_there : {true, false}) {
+      Ray part = ray;
+      (from_there ? part.t_min : part.t_max) = end;
+      ask(part, shape, adversarial);
+      // intersect() of a box asks box_sight() itself; but what it found it must find where the ray's range holds it.
+      const auto again = intersect(part, shape);
+      adversarial.wrong += (again && again->t == hit->t) != (part.t_min < hit->t && hit->t < part.t_max);
+    }
   }
   Ray grazing = ray;  // along the surface, nearly
   const Vec3 along = hit->normal.cross(random.unit_vector()).normalized();

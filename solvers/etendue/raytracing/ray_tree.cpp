@@ -19,6 +19,8 @@ namespace etendue {
 
 namespace {
 
+thread_local std::vector<RayNode> spare_nodes;  // of recycle(); empty
+
 /// How a material shares out what comes along global rays.
 struct Shares {
   double reflected, transmitted;
@@ -29,7 +31,7 @@ class TreeBuilder {
   TreeBuilder(const Accelerator& accelerator, const TreeLimits& limits, const RayStart& start)
       : accelerator_(accelerator), scene_(accelerator.scene()), limits_(limits), key_(start.key) {
     tree_.wavelength = start.wavelength;
-    tree_.nodes.reserve(kUsual);
+    tree_.nodes = std::exchange(spare_nodes, {});
   }
 
   /// Of the tree that begins with this ray.
@@ -43,8 +45,6 @@ class TreeBuilder {
   RayTree take() { return std::move(tree_); }
 
  private:
-  static constexpr std::size_t kUsual = 4;  // most trees have no more rays
-
   void follow(std::size_t i) {
     RayNode& node = tree_.nodes[i];
     if (const auto body = node.media.present(scene_)) node.medium = body->material;
@@ -193,6 +193,11 @@ RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimi
   TreeBuilder builder(accelerator, limits, start);
   builder.begin(eye_ray, start.media);
   return builder.take();
+}
+
+void recycle(RayTree&& tree) {
+  tree.nodes.clear();
+  spare_nodes = std::move(tree.nodes);
 }
 
 std::vector<std::string> ray_names(const RayTree& tree) {

@@ -73,6 +73,9 @@ struct RayStart {
 [[nodiscard]] RayTree trace(const Ray& eye_ray, const Accelerator& accelerator, const TreeLimits& limits,
                             const RayStart& start = {});
 
+/// Leaves the memory of a tree that is no longer wanted to the next one that this thread traces.
+void recycle(RayTree&& tree);
+
 /// Names of the rays in the manner of figure 36: R for the eye ray; R or T (reflected, transmitted) with the number of
 /// the surface where it begins, surfaces being numbered in the order in which they are met.
 [[nodiscard]] std::vector<std::string> ray_names(const RayTree& tree);

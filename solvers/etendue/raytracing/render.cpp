@@ -259,9 +259,10 @@ Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions
     seen.colour += weight * shaded.colour;
   };
   const SampleKey rays = key.part(sample_number::kTree);
-  const RayTree tree = trace(eye_ray, accelerator, options.limits, {around, 0, rays});
+  RayTree tree = trace(eye_ray, accelerator, options.limits, {around, 0, rays});
   if (options.wavelengths == 0 || !is_dispersed(tree, accelerator.scene())) {
     add(tree, Rgb::Ones());
+    recycle(std::move(tree));
     return seen;
   }
   const double offset = key.number(sample_number::kWavelength);
