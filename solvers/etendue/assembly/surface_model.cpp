@@ -34,6 +34,12 @@ Bounded sum_over_terms(const ComposedRow& r, const ComposedRow& s,
   return sum;
 }
 
+/// A polygon whose elements are only the convex parts that it was divided into.
+bool is_one_concave(const Object& object) {
+  const auto* polygon = std::get_if<Polygon>(&object.shape);
+  return polygon != nullptr && !is_convex(*polygon) && !(object.subdivision.element_size > 0);
+}
+
 std::optional<CurvedPatch> round_patch(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return *sphere;
   if (const auto* disc = std::get_if<Disc>(&shape)) return *disc;
@@ -76,6 +82,12 @@ Result<SurfaceModel> surface_model(const Scene& scene) {
   std::size_t next = 0;  // elements follow their objects
   for (std::size_t object = 0; object < scene.objects.size(); ++object) {
     const std::string& name = scene.objects[object].name;
+    if (is_one_concave(scene.objects[object])) {
+      ComposedRow row{name, {}, std::get<Polygon>(scene.objects[object].shape).area(), 1};
+      for (; of_object[object] > row.terms.size(); ++next) row.terms.push_back({next, 1});
+      model.rows.push_back(std::move(row));
+      continue;
+    }
     for (; next < model.mesh.elements.size() && model.mesh.face_of(model.mesh.elements[next]).object == object;
          ++next) {
       const std::string number = of_object[object] > 1 ? "[" + std::to_string(++counted[object]) + "]" : "";

@@ -2,6 +2,7 @@
 #include "etendue/meshing/elements.hpp"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include "etendue/meshing/contacts.hpp"
 #include "etendue/meshing/division.hpp"
 #include "etendue/meshing/grading.hpp"
+#include "etendue/meshing/surface_checks.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -93,12 +95,36 @@ struct Builder {
     ++mesh.patches;
   }
 
+  /// Convex parts, as faces of their own.
+  void concave(const Polygon& whole) {
+    constexpr std::size_t kMostCorners = 1000;  // they are cut off one by one, in time like n³ at worst
+    constexpr double kRounding = 1e-9;          // of the areas' sum: what is lost is more than digits
+    const std::string corners = std::to_string(whole.vertices().size());
+    const Subdivision& counts = object.subdivision;
+    const bool counted = counts.elements[0] * counts.elements[1] * counts.patches[0] * counts.patches[1] != 1;
+    if (counted && !(counts.element_size > 0))
+      return refuse(
+          "is concave: only quadrilaterals have rows and columns of elements and patches; give an "
+          "\"element_size\" alone, or divide it into convex polygons");
+    if (whole.vertices().size() > kMostCorners)
+      return refuse("is concave and has " + corners + " corners, expected at most " + std::to_string(kMostCorners) +
+                    ": divide it into convex polygons");
+    const std::vector<Polygon> parts = convex_parts(whole);
+    double area = 0;
+    for (const Polygon& part : parts) area += part.area();
+    if (!(std::abs(area - whole.area()) <= kRounding * whole.area()))
+      return refuse("is concave and cannot be cut into triangles: divide it into convex polygons");
+    for (const Polygon& part : parts) {
+      if (!error) face(part);
+    }
+  }
+
   void face(const Polygon& polygon) {
+    if (!is_convex(polygon)) return concave(polygon);
     const bool by_size = object.subdivision.element_size > 0;
     const Subdivision division = division_of(object.subdivision, polygon);
     const auto [columns, rows] = division.elements;
     const auto [patch_columns, patch_rows] = division.patches;
-    if (!is_convex(polygon)) return refuse("is concave: divide it into convex polygons");
     const bool too_many = std::max(columns, rows) > kMostElementsAlong ||
                           count_of(division, polygon.vertices().size()) > static_cast<double>(kMostElements);
     if (by_size && too_many) {

@@ -71,10 +71,10 @@ enum class CurvedObjects { refused, left_out };
 ///
 /// Domain    polygons, triangles, meshes (an element a triangle), boxes (six faces, seen from outside). Every object
 ///           takes part, whatever its reflectance: a black wall still closes the room
-/// Returns   faces, elements and patches; neighbouring elements of a face share their corners to the last bit, but where
+/// Returns   faces, elements and patches; a concave polygon is divided into convex faces. Neighbouring elements of a face share their corners to the last bit, but where
 ///           a cut of one ends at a side of another. What is not a quadrilateral is one patch
 /// Errors    spheres, discs, cylinders (elements are flat; where `curved` says so they are left out instead), infinite
-///           planes, concave polygons, counted elements or patches of what is no quadrilateral, patches that do not divide
+///           planes, counted elements or patches of what is no convex quadrilateral, patches that do not divide
 ///           elements, an element size that asks for too many; one line for each object that has one: its place in the
 ///           file, its name, and what to use instead; and their count
 [[nodiscard]] Result<ElementMesh> mesh_elements(const Scene& scene, CurvedObjects curved = CurvedObjects::refused);
