@@ -130,7 +130,7 @@ TEST(SurfaceFile, ReadsTheSameRoomFromEveryFormat) {
   }
 }
 
-// CLAIM      A concave OBJ face is one row, cut into triangles that add up to it.
+// CLAIM      A concave OBJ face, and a concave polygon of a scene, are one row, cut into triangles that add up to it.
 // ORACLE     metamorphic: form_factor of the concave polygon as a whole.
 // TOLERANCE  1e-9 of the exchange area.
 TEST(SurfaceFile, CutsAConcaveFaceIntoOneRow) {
@@ -147,6 +147,15 @@ TEST(SurfaceFile, CutsAConcaveFaceIntoOneRow) {
   const double whole = exchange(ell, plate);
   EXPECT_TRUE(near(rows_of(model).exchange(0, 1), whole, 1e-9 * whole));
   EXPECT_TRUE(near(model.rows[0].area, 3, 0x1p-50));
+  const SurfaceModel scene = read(folder, "l.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
+ "camera": {"eye": [0, 0, 9], "gaze": [0, 0, -1], "up": [0, 1, 0], "horizontal_fov_deg": 60, "resolution": [8, 8]},
+ "materials": {"m": {"k_d": 0.5}}, "objects": [
+  {"type": "polygon", "name": "ell", "material": "m", "vertices": [[0,0,0], [2,0,0], [2,1,0], [1,1,0], [1,2,0], [0,2,0]]},
+  {"type": "polygon", "name": "plate", "material": "m",
+   "vertices": [[0.25,0.5,1.5], [0.25,1.5,1.5], [1.25,1.5,1.25], [1.25,0.5,1.25]]}]})");
+  ASSERT_EQ(scene.rows.size(), 2u);
+  EXPECT_TRUE(holds(scene.rows[0].name == "ell" && scene.rows[0].area == model.rows[0].area));
+  EXPECT_TRUE(near(rows_of(scene).exchange(0, 1), whole, 1e-9 * whole));
 }
 
 // CLAIM      A tilted quadrilateral written with six digits is made flat and said to be; one that is off by more is

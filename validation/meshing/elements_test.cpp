@@ -195,7 +195,7 @@ TEST(Elements, RefuseWhatCannotBeDivided) {
       {PolygonWithHoles::make(square, {{{0.2, 0.2, 0}, {0.4, 0.2, 0}, {0.2, 0.4, 0}}}).value(),
        {},
        "has holes: neither radiosity nor form factors know such polygons; divide it into convex ones"},
-      {dart, {}, "is concave"},
+      {dart, {{2, 1}, {1, 1}}, "is concave: only quadrilaterals have rows and columns of elements and patches;"},
       {triangle, {{2, 1}, {1, 1}}, "has 3 corners: only quadrilaterals have rows and columns of elements and patches;"},
       {triangle,
        {{1, 1}, {2, 1}, 0.1},
