@@ -48,13 +48,12 @@ TEST(SurfaceFile, PutsPartsTogetherByTheAlgebraOfFactors) {
   proves({"IU.6-3", "IU.6-5"}, Oracle::metamorphic, "polygons put together in the test");
   const TemporaryFolder folder;
   // Floor of two halves, combined; wall x = 0 with a window (5) and, in the wall x = 2, a null surface.
-  const SurfaceModel model =
-      read(folder, "box.vs3",
-           kVertices +
-               "V 15 2 .2 .2\nV 16 2 .8 .2\nV 17 2 .8 .8\nV 18 2 .2 .8\n"
-               "S 1 1 13 14 4 0 0 .9 floor\nS 2 13 2 3 14 0 1 .8 floor-2\nS 3 1 4 8 5 0 0 .7 west\n"
-               "S 4 3 2 6 7 0 0 .6 east ! seen from inside\nS 5 9 10 11 12 3 0 .5 window\n"
-               "N 6 15 16 17 18 4 0 .9 hole\n*\nthis is not read\n");
+  const std::string parts = kVertices +
+                            "V 15 2 .2 .2\nV 16 2 .8 .2\nV 17 2 .8 .8\nV 18 2 .2 .8\n"
+                            "S 1 1 13 14 4 0 0 .9 floor\nS 2 13 2 3 14 0 1 .8 floor-2\nS 3 1 4 8 5 0 0 .7 west\n"
+                            "S 4 3 2 6 7 0 0 .6 east ! seen from inside\nS 5 9 10 11 12 3 0 .5 window\n";
+  const SurfaceModel model = read(folder, "box.vs3", parts + "N 6 15 16 17 18 4 0 .9 hole\n*\nthis is not read\n");
+  const SurfaceModel turned = read(folder, "turned.vs3", parts + "N 6 18 17 16 15 4 0 .9 hole\n");
   ASSERT_EQ(model.rows.size(), 4u);
   const ExchangeMatrix matrix = rows_of(model);
   const Polygon floor = quadrilateral({0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0});
@@ -77,6 +76,8 @@ TEST(SurfaceFile, PutsPartsTogetherByTheAlgebraOfFactors) {
     return near(matrix.exchange(at(a), at(b)), expected, kShare * expected);
   };
   EXPECT_TRUE(agrees("floor", "window", exchange(floor, window)));
+  EXPECT_TRUE(
+      agrees("floor", "east", rows_of(turned).exchange(at("floor"), at("east"))));  // whichever way a hole faces
   EXPECT_TRUE(agrees("floor", "west", floor_to_rest));
   EXPECT_TRUE(near(model.rows[at("west")].area, west.area() - window.area(), 1e-15));
   EXPECT_TRUE(near(model.rows[at("floor")].area, 2, 1e-15));

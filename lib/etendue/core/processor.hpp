@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/core/floating_point.hpp"
+
 /// Before the definition of a function that spends its time in std::fma (exact products): it is compiled twice, and where the
 /// processor has the instruction it is used; elsewhere the C library is called, some ten times slower. Both round once, so the
 /// bits are the same. Sanitizers do not stand the choice at load time, and clang 14 gives such functions names of its own.

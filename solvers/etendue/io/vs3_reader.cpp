@@ -92,6 +92,13 @@ class Assembler {
     if (placed_[k].polygon && placed_[index(s.base)].polygon) lies_in(k, complain);
   }
 
+  /// Facing as its base does, if it has one.
+  Polygon as_base(std::size_t k) const {
+    const Polygon& own = *placed_[k].polygon;
+    if (at(k).base == 0) return own;
+    return own.normal().dot(placed_[index(at(k).base)].polygon->normal()) > 0 ? own : reversed(own);
+  }
+
   template <class Complain>
   void lies_in(std::size_t k, const Complain& complain) {
     const Vs3Surface& base = at(index(at(k).base));
@@ -104,13 +111,14 @@ class Assembler {
     if (off > kFlatEnough * size) {
       return complain("is " + rounded(off, 3) + " off the plane of its base " + base.called() + ", expected in it");
     }
+    // A null surface is taken away, whichever way it faces.
     const bool same_way = placed_[k].polygon->normal().dot(outer.normal()) > 0;
-    if (same_way == covers(k)) {
+    if (same_way == covers(k) && at(k).kind != Kind::null) {
       complain(covers(k) ? "faces away from its base " + base.called() + ", expected towards it"
                          : "faces its base " + base.called() + ", expected the same way");
       return;
     }
-    const Polygon inner = covers(k) ? reversed(*placed_[k].polygon) : *placed_[k].polygon;
+    const Polygon inner = as_base(k);
     const Overlap how = overlap(outer, inner, off);
     if (how != Overlap::second_inside && how != Overlap::same) {
       complain("reaches beyond its base " + base.called() + ", expected inside");
@@ -128,8 +136,7 @@ class Assembler {
       placed_[k].face = builder_.face(*placed_[k].polygon, s.line, s.name);
     }
     if (s.kind == Kind::obstruction) return;
-    placed_[k].element =
-        builder_.element(covers(k) ? reversed(*placed_[k].polygon) : *placed_[k].polygon, placed_[k].face);
+    placed_[k].element = builder_.element(as_base(k), placed_[k].face);
   }
 
   void siblings(std::size_t k) {
