@@ -2,7 +2,7 @@
 #include "render_files.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
 #include "etendue/core/version.hpp"
 #include "etendue/io/atomic_file.hpp"
@@ -115,18 +115,11 @@ class Reader {
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
 
   std::uint64_t integer() {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < 8; ++i)
-      value |= static_cast<std::uint64_t>(static_cast<unsigned char>(rest_[i])) << (8 * i);
+    const auto value = read_little<std::uint64_t>(rest_);
     rest_.remove_prefix(8);
     return value;
   }
-  double real() {
-    const std::uint64_t bits = integer();
-    double value = 0;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-  }
+  double real() { return std::bit_cast<double>(integer()); }
   std::string_view text(std::size_t size) {
     const std::string_view front = rest_.substr(0, size);
     rest_.remove_prefix(size);

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "cli/furnace_text.hpp"
+#include "cli/solve_runs.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
@@ -12,15 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The furnace with further objects before its own.
-std::string furnace_with(const std::string& objects) {
-  return replaced(furnace_text(), "\"objects\": [", "\"objects\": [" + objects + ",");
-}
-
-const char* const kScreen =
-    R"({"type": "polygon", "name": "screen", "material": "glowing",
-        "vertices": [[0.5, 1, 0.4], [1.4, 1.3, 0.4], [1.4, 1.3, 1.1], [0.5, 1, 1.1]]})";
-
 // One polygon of n × n elements.
 std::string plate_text(int n) {
   return R"({"format": "etendue-scene", "version": 1, "unit": "m", "materials": {"grey": {"rho": 0.5, "emission": 1}},
@@ -29,15 +20,6 @@ std::string plate_text(int n) {
  "objects": [{"type": "polygon", "name": "plate", "material": "grey", "elements": [)" +
          std::to_string(n) + ", " + std::to_string(n) + R"(],
               "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]}]})";
-}
-
-Ended solve(const std::filesystem::path& scene, std::vector<std::string> more, const ProcessOptions& options = {}) {
-  more.insert(more.begin(), {"solve", scene.string(), "--output", (scene.parent_path() / "out.png").string()});
-  return run_etendue(more, options);
-}
-
-bool says(const Ended& ended, const std::string& words) {
-  return (ended.out + ended.err).find(words) != std::string::npos;
 }
 
 // CLAIM      Where form factors are less certain than --tolerance asks, solve ends with 4, saves everything, and names

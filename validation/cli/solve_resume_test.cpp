@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/furnace_text.hpp"
+#include "cli/solve_runs.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
@@ -16,24 +16,6 @@ namespace etendue::validation {
 namespace {
 
 using Json = nlohmann::json;
-
-// The furnace with further objects before its own.
-std::string furnace_with(const std::string& objects) {
-  return replaced(furnace_text(), "\"objects\": [", "\"objects\": [" + objects + ",");
-}
-
-const char* const kScreen =
-    R"({"type": "polygon", "name": "screen", "material": "glowing",
-        "vertices": [[0.5, 1, 0.4], [1.4, 1.3, 0.4], [1.4, 1.3, 1.1], [0.5, 1, 1.1]]})";
-
-Ended solve(const std::filesystem::path& scene, std::vector<std::string> more, const ProcessOptions& options = {}) {
-  more.insert(more.begin(), {"solve", scene.string(), "--output", (scene.parent_path() / "out.png").string()});
-  return run_etendue(more, options);
-}
-
-bool says(const Ended& ended, const std::string& words) {
-  return (ended.out + ended.err).find(words) != std::string::npos;
-}
 
 // CLAIM      Interrupted in the form factors, solve ends with 6 and saves the factors and bounds of the rows that are
 //            done.

@@ -86,17 +86,6 @@ TEST(DistributedRays, SeeEachPartOfALightOnce) {
   EXPECT_TRUE(all_agree(wrong, 50));
 }
 
-/// A camera at the origin that looks along z, its picture 2 wide at the distance 1.
-Camera straight(int columns, int rows) {
-  Camera camera;
-  camera.gaze = {0, 0, 1};
-  camera.up = {0, -1, 0};  // so that x runs to the right
-  camera.horizontal_half_angle = std::atan(1.0);
-  camera.columns = columns;
-  camera.rows = rows;
-  return camera;
-}
-
 // CLAIM      Depth of field: every ray of a picture point passes the same point of the sharp plane, at the distance f, and at the distance z a
 //            disc of radius ρ |z − f|/f around the pinhole's ray, all of it.
 // ORACLE     closed form: similar triangles.

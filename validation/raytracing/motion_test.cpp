@@ -25,18 +25,6 @@ void add_moving(Scene& scene, Shape shape, const Vec3& velocity, const Material&
   scene.objects[add(scene, std::move(shape), material)].velocity = velocity;
 }
 
-/// A camera at the origin that looks along z, its picture 2 wide at the distance 1.
-Camera straight(int columns, int rows, double shutter) {
-  Camera camera;
-  camera.gaze = {0, 0, 1};
-  camera.up = {0, -1, 0};  // so that x runs to the right
-  camera.horizontal_half_angle = std::atan(1.0);
-  camera.columns = columns;
-  camera.rows = rows;
-  camera.shutter = shutter;
-  return camera;
-}
-
 constexpr int kSide = 16;
 RenderOptions many_samples() {
   RenderOptions options;

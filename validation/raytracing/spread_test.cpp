@@ -7,23 +7,13 @@
 #include "etendue/raytracing/camera_rays.hpp"
 #include "etendue/raytracing/sampling.hpp"
 #include "support/evidence.hpp"
+#include "support/scene_builder.hpp"
 
 // How the samples of a pixel share out lens and time.
 namespace etendue::validation {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// A camera at the origin that looks along z, its picture 2 wide at the distance 1.
-Camera straight(int columns, int rows) {
-  Camera camera;
-  camera.gaze = {0, 0, 1};
-  camera.up = {0, -1, 0};  // so that x runs to the right
-  camera.horizontal_half_angle = std::atan(1.0);
-  camera.columns = columns;
-  camera.rows = rows;
-  return camera;
-}
 
 // CLAIM      IU.5.8.1: shuffling is a permutation: n things get n places; and each place is as likely as the others for each thing.
 // ORACLE     identity: counted; statistics for the likelihood.

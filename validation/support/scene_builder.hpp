@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <utility>
 
 #include "etendue/scene/scene.hpp"
@@ -34,6 +35,18 @@ inline Material specular(double k_r, double k_t, double eta = 1) {
   material.k_t = k_t;
   material.eta = eta;
   return material;
+}
+
+/// A camera at the origin that looks along z, its picture 2 wide at the distance 1.
+inline Camera straight(int columns, int rows, double shutter = 0) {
+  Camera camera;
+  camera.gaze = {0, 0, 1};
+  camera.up = {0, -1, 0};  // so that x runs to the right
+  camera.horizontal_half_angle = std::atan(1.0);
+  camera.columns = columns;
+  camera.rows = rows;
+  camera.shutter = shutter;
+  return camera;
 }
 
 /// A square of edge 2 · half around `centre`, across `normal`.

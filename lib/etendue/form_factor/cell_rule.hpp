@@ -38,9 +38,8 @@ struct CellSum {
   double tail = 0;
   /// Of a cell of four corners without a collapsed one: the same along its first side, and along the next.
   std::array<double, 2> tails{};
-  unsigned ends =
-      0;          ///< a bit for each corner of the cell that a corner of a loop is nearest to, of those that come near
-  int nodes = 0;  ///< a side
+  unsigned ends = 0;  ///< a bit for each corner of the cell that a corner of a loop comes near, and is nearest to
+  int nodes = 0;      ///< a side
   int evaluations = 0;
 };
 

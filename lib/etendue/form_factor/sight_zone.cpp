@@ -111,18 +111,14 @@ std::vector<std::size_t> silhouette(const Blocker& solid, const std::vector<bool
 
 /// A zone lies on one side of every plane that it was cut by; its own corners do only but for their rounding. So the corner
 /// farthest from the plane tells.
-struct SideOf {
-  bool front = false, behind = false;
-  SideOf(const std::vector<Vec2>& zone, const FramePlane& plane) {
-    double farthest = 0;
-    for (const Vec2& corner : zone) {
-      const double height = plane.height(corner);
-      if (std::abs(height) > std::abs(farthest)) farthest = height;
-    }
-    front = farthest > 0;
-    behind = farthest < 0;
+double height_of(const std::vector<Vec2>& zone, const FramePlane& plane) {
+  double farthest = 0;
+  for (const Vec2& corner : zone) {
+    const double height = plane.height(corner);
+    if (std::abs(height) > std::abs(farthest)) farthest = height;
   }
-};
+  return farthest;
+}
 
 class Zoning {
  public:
@@ -190,10 +186,10 @@ class Zoning {
   }
 
   void add_plates(const Placed& p, SightZone& zone) const {
-    const SideOf sides(zone.corners, p.planes.front());
-    if (p.flush.front() || (!sides.front && !sides.behind)) return;  // the zone lies in the plate's plane
-    if (!sides.front && p.blocker->sides() == BlockingSides::front) return;
-    for (const Blocker::Face& face : p.blocker->faces()) add(loop_of(p, face.corners, sides.front), zone);
+    const double height = height_of(zone.corners, p.planes.front());
+    if (p.flush.front() || height == 0) return;  // the zone lies in the plate's plane
+    if (height < 0 && p.blocker->sides() == BlockingSides::front) return;
+    for (const Blocker::Face& face : p.blocker->faces()) add(loop_of(p, face.corners, height > 0), zone);
   }
 
   void add_solid(const Placed& p, SightZone& zone) const {
@@ -201,7 +197,7 @@ class Zoning {
     seen.reserve(p.planes.size());
     bool any = false;
     for (std::size_t f = 0; f < p.planes.size(); ++f) {
-      seen.push_back(!p.flush[f] && SideOf(zone.corners, p.planes[f]).front);
+      seen.push_back(!p.flush[f] && height_of(zone.corners, p.planes[f]) > 0);
       any = any || seen.back();
     }
     if (!any) {

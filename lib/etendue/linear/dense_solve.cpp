@@ -36,16 +36,6 @@ std::optional<Error> unfit(const Eigen::MatrixXd& matrix, const Eigen::VectorXd&
 
 constexpr BackwardError kNothingShown{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
-/// Entry by entry: Eigen's allFinite() is a sum that may overflow.
-bool all_finite(const Eigen::Ref<const Eigen::MatrixXd>& values) {
-  for (Eigen::Index j = 0; j < values.cols(); ++j) {
-    for (Eigen::Index i = 0; i < values.rows(); ++i) {
-      if (!std::isfinite(values(i, j))) return false;
-    }
-  }
-  return true;
-}
-
 Result<LinearSolution> judged(const Eigen::MatrixXd& matrix, Eigen::VectorXd x, const Eigen::VectorXd& rhs) {
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
     if (!std::isfinite(x(i))) return invalid("unknown " + std::to_string(i) + " overflows: matrix is near singular");
@@ -55,6 +45,15 @@ Result<LinearSolution> judged(const Eigen::MatrixXd& matrix, Eigen::VectorXd x, 
 }
 
 }  // namespace
+
+bool all_finite(const Eigen::Ref<const Eigen::MatrixXd>& values) {
+  for (Eigen::Index j = 0; j < values.cols(); ++j) {
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      if (!std::isfinite(values(i, j))) return false;
+    }
+  }
+  return true;
+}
 
 BackwardError backward_error(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& x, const Eigen::VectorXd& rhs) {
   require(matrix.rows() == rhs.rows() && matrix.cols() == x.rows(), "backward_error: the sizes fit");

@@ -15,6 +15,9 @@ struct BackwardError {
   double componentwise = 0;  ///< max_i |r_i| / (|A| |x| + |b|)_i               (Oettli and Prager 1964)
 };
 
+/// Entry by entry: Eigen's allFinite() is a sum that may overflow.
+[[nodiscard]] bool all_finite(const Eigen::Ref<const Eigen::MatrixXd>& values);
+
 /// Returns   infinity where |A| |x| + |b| overflows: nothing is shown then
 /// Errors    ContractViolation where sizes do not fit or an entry of A, x or b is not finite
 [[nodiscard]] BackwardError backward_error(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& x,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "etendue/linear/dense_solve.hpp"
 #include "etendue/radiosity/iteration.hpp"
 
 namespace etendue::detail {

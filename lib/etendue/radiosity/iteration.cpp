@@ -85,13 +85,6 @@ Eigen::VectorXd units(const Eigen::MatrixXd& values) {
   return unit;
 }
 
-bool all_finite(const Eigen::MatrixXd& values) {
-  for (Eigen::Index k = 0; k < values.size(); ++k) {
-    if (!std::isfinite(values(k))) return false;
-  }
-  return true;
-}
-
 RadiosityReport Course::report() && {
   report_.incident = std::move(judgement_.incident);
   report_.residual = std::move(judgement_.residual);

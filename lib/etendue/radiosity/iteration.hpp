@@ -62,7 +62,6 @@ class Course {
 /// Of each channel a power of two near its largest value, or 1: iterations that form squares divide by it, exactly, so
 /// that watts and terawatts take the same steps.
 Eigen::VectorXd units(const Eigen::MatrixXd& values);
-bool all_finite(const Eigen::MatrixXd& values);
 
 void jacobi(Course& course);
 void gauss_seidel(Course& course);

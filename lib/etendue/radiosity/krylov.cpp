@@ -7,6 +7,7 @@
 #include <unsupported/Eigen/IterativeSolvers>
 #include <utility>
 
+#include "etendue/linear/dense_solve.hpp"
 #include "etendue/radiosity/iteration.hpp"
 
 namespace etendue::detail {

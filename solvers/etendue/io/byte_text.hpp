@@ -15,6 +15,15 @@ void append_little(std::string& bytes, std::uint32_t value);
 void append_little(std::string& bytes, double value);
 void append_little(std::string& bytes, float value);
 
+/// The other way round: what the front of the bytes, of which there are enough, was made of.
+template <class Word>
+[[nodiscard]] Word read_little(std::string_view bytes) {
+  Word value = 0;
+  for (std::size_t k = 0; k < sizeof value; ++k)
+    value |= static_cast<Word>(static_cast<unsigned char>(bytes[k])) << (8 * k);
+  return value;
+}
+
 /// RFC 4648 with padding, in one line.
 [[nodiscard]] std::string base64(std::string_view bytes);
 

@@ -2,8 +2,8 @@
 #include "etendue/io/row_file.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -74,20 +74,8 @@ class Reader {
     taken_.add(bytes);
     return bytes;
   }
-  std::uint64_t integer() {
-    const std::string bytes = text(8);
-    std::uint64_t value = 0;
-    for (std::size_t k = 0; k < 8; ++k) {
-      value |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[k])) << (8 * k);
-    }
-    return value;
-  }
-  double real() {
-    const std::uint64_t bits = integer();
-    double value = 0;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-  }
+  std::uint64_t integer() { return read_little<std::uint64_t>(text(8)); }
+  double real() { return std::bit_cast<double>(integer()); }
 
  private:
   std::ifstream file_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "etendue/io/atomic_file.hpp"
+#include "etendue/io/byte_text.hpp"
 #include "etendue/io/surface_builder.hpp"
 
 namespace etendue {
@@ -16,9 +17,7 @@ constexpr std::size_t kHeader = 84;    // bytes: a comment of 80, the count
 constexpr std::size_t kTriangle = 50;  // normal, three vertices, two bytes of attributes
 
 std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
-  std::uint32_t word = 0;
-  for (std::size_t k = 0; k < 4; ++k) word |= std::uint32_t{static_cast<unsigned char>(bytes[offset + k])} << (8 * k);
-  return word;
+  return read_little<std::uint32_t>(bytes.substr(offset));
 }
 
 double real_at(std::string_view bytes, std::size_t offset) {
