@@ -43,4 +43,8 @@ int fail(std::ostream& err, const std::string& command, const Error& error) {
   return static_cast<int>(error.code);
 }
 
+void warn(std::ostream& err, const std::string& command, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) err << "etendue " << command << ": warning: " << warning << '\n';
+}
+
 }  // namespace etendue::cli

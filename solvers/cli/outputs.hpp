@@ -28,5 +28,7 @@ namespace etendue::cli {
 
 /// Prints "etendue command: message", whatever it holds as printable text, and returns the exit code.
 int fail(std::ostream& err, const std::string& command, const Error& error);
+/// A line each on `err`: "etendue render: warning: scene.json:10:15: …".
+void warn(std::ostream& err, const std::string& command, const std::vector<std::string>& warnings);
 
 }  // namespace etendue::cli

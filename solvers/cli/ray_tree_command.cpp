@@ -88,6 +88,7 @@ int ray_tree(const std::vector<std::string>& arguments, std::ostream& out, std::
   }();
   if (!read) return fail(err, kName, read.error());
   const SceneFile& file = *read;
+  warn(err, kName, file.warnings);
   const Camera& camera = file.scene.camera;
   const auto pixel = read_pixel(request.pixel.first + "," + request.pixel.second, camera);
   if (!pixel) {

@@ -155,6 +155,7 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
   }();
   if (!read) return fail(err, kName, read.error());
   SceneFile file = std::move(read).value();
+  if (!request.common.quiet) warn(err, kName, file.warnings);
   if (!request.pixel) {  // opens the module for images, which takes longer than refusing a scene
     const fs::path picture = request.common.output.empty() ? render_files(request, true).png : request.common.output;
     if (const auto fit = check_image_path(picture); !fit) return fail(err, kName, fit.error());

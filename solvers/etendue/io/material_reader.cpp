@@ -179,8 +179,8 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
   if (const auto pattern = node.member("pattern")) material.pattern = read_pattern(*pattern, scale);
   if (material.k_r + material.k_t > 1) {
-    node.complain("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) +
-                  ", expected at most 1: the rays that go on would bring more than arrives");
+    node.warn("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) + " in material '" + name +
+              "', expected at most 1: the rays that go on bring more than arrives");
   }
   if (!node.member("rho") && !(material.rho < 1).all()) {
     node.member("k_d")->expected("a number below 1, since \"rho\" is taken from it; give \"rho\" in [0, 1) to keep 1");

@@ -46,14 +46,28 @@ void SceneErrors::add(std::size_t file, const std::string& name, const JsonProbl
       {file, problem.place, located(name, problem.place, problem.pointer) + ": " + printable(problem.message)});
 }
 
-std::string SceneErrors::text() const {
-  std::vector<Entry> sorted = entries_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
+void SceneErrors::warn(std::size_t file, const std::string& name, const JsonProblem& problem) {
+  warnings_.push_back(
+      {file, problem.place, located(name, problem.place, problem.pointer) + ": " + printable(problem.message)});
+}
+
+std::vector<std::string> SceneErrors::in_order(std::vector<Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.file, a.place.line, a.place.column) < std::tie(b.file, b.place.line, b.place.column);
   });
+  std::vector<std::string> lines;
+  for (const Entry& entry : entries) lines.push_back(entry.line);
+  return lines;
+}
+
+std::string SceneErrors::text() const {
   std::string text;
-  for (const Entry& entry : sorted) text += entry.line + "\n";
-  return text + counted_errors(sorted.size());
+  for (const std::string& line : in_order(entries_)) text += line + "\n";
+  return text + counted_errors(entries_.size());
+}
+
+std::vector<std::string> SceneErrors::warnings() const {
+  return in_order(warnings_);
 }
 
 bool Interval::contains(double value) const {
@@ -82,6 +96,10 @@ std::string SceneNode::where() const {
 
 void SceneNode::complain(const std::string& message) const {
   errors_->add(file_, *name_, {json_->place, pointer_, message + of_object()});
+}
+
+void SceneNode::warn(const std::string& message) const {
+  errors_->warn(file_, *name_, {json_->place, pointer_, message + of_object()});
 }
 
 void SceneNode::expected(const std::string& what) const {

@@ -23,13 +23,19 @@ class SceneErrors {
   /// One line each, and a last line with their number.
   std::string text() const;
 
+  /// What is odd, and yet has a meaning: the scene can be used.
+  void warn(std::size_t file, const std::string& name, const JsonProblem& problem);
+  std::vector<std::string> warnings() const;
+
  private:
   struct Entry {
     std::size_t file;
     Place place;
     std::string line;
   };
-  std::vector<Entry> entries_;
+  static std::vector<std::string> in_order(std::vector<Entry> entries);
+
+  std::vector<Entry> entries_, warnings_;
 };
 
 /// The numbers that a key allows; ends belong to it unless open.
@@ -68,6 +74,8 @@ class SceneNode {
   void expected(const std::string& what) const;
   /// Reports any other sentence here.
   void complain(const std::string& message) const;
+  /// The same for what is no error.
+  void warn(const std::string& message) const;
 
   /// Is this an object whose keys are all known and which lacks none? Reports each that is not so.
   /// The answer is true as long as it is an object: what can be read should be, to find further errors.

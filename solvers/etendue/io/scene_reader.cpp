@@ -15,6 +15,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path) {
   for (const LoadedFile& file : files->files) result.files.emplace_back(file.name);
   result.scene = assemble_scene(*files, errors);
   if (errors.count() > 0) return Error{ErrorCode::invalid_input, errors.text()};
+  result.warnings = errors.warnings();
   return result;
 }
 
