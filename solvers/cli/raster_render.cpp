@@ -30,7 +30,7 @@ void tell_left_out(const std::vector<std::string>& parts, std::ostream& err) {
 int render_by_raster(const RenderRequest& request, const SceneFile& file, std::ostream& out, std::ostream& err) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  const std::vector<std::string> missing = left_out(file.scene);
+  const std::vector<std::string> missing = left_out(file.scene, request.shading_options().shading);
   auto drawn = [&] {
     Progress progress(err, kName, request.common);  // wiped before anything is printed
     if (request.progress) progress.tell_tenths();

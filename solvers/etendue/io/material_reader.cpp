@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "etendue/io/bump_reader.hpp"
 #include "etendue/optics/frost.hpp"
 #include "etendue/text/number_text.hpp"
 
@@ -178,6 +179,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
   if (const auto pattern = node.member("pattern")) material.pattern = read_pattern(*pattern, scale);
+  if (const auto bump = node.member("bump")) material.bump = read_bump(*bump, scale);
   if (material.k_r + material.k_t > 1) {
     node.warn("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) + " in material '" + name +
               "', expected at most 1: the rays that go on bring more than arrives");

@@ -11,6 +11,7 @@
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/shape_reader.hpp"
 #include "etendue/meshing/division.hpp"
+#include "etendue/raytracing/shading_normal.hpp"
 
 namespace etendue {
 
@@ -130,6 +131,12 @@ class Assembly {
     const bool closed = caps_node && caps_node->truth().value_or(false);
     auto shape = read_shape(node, *type, placement);
     if (!shape || !material) return;
+    const auto& bump = scene_.materials[*material].bump;
+    if (bump && !bump->lay && (closed || !has_chart(*shape))) {
+      node.complain("found a material whose \"bump\" has no \"size\", expected one: " +
+                    std::string(closed ? "the caps have no coordinates" : "a " + *type + " has no coordinates") +
+                    " u and v of its own");
+    }
     const auto caps = closed ? caps_of(*shape) : std::vector<Cap>{};
     scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where(), velocity});
     for (const Cap& cap : caps) {

@@ -41,11 +41,14 @@ const std::vector<KeySet>& scene_key_sets() {
       {"material",
        {},
        {"comment", "k_d", "k_a", "k_s", "n", "k_r", "k_t", "eta", "fresnel", "dispersion", "absorption", "priority",
-        "frost", "rho", "emission", "pattern"}},
+        "frost", "rho", "emission", "pattern", "bump"}},
       {"cauchy", {"a"}, {"comment", "b", "c"}},
       {"sellmeier", {"strength", "resonance"}, {"comment"}},
       {"checkerboard_pattern", {"type", "k_d", "size"}, {"comment", "k_a", "origin", "u", "v"}},
       {"wood_pattern", {"type", "k_d", "ring"}, {"comment", "k_a", "origin", "axis"}},
+      {"waves_bump", {"type", "height", "waves"}, {"comment", "origin", "u", "v", "size"}},
+      {"table_bump", {"type", "heights"}, {"comment", "height", "repeat", "edges", "origin", "u", "v", "size"}},
+      {"rough_bump", {"type", "height", "cells"}, {"comment", "seed", "origin", "u", "v", "size"}},
       {"point_light", {"type", "position", "intensity"}, {"comment"}},
       {"directional_light", {"type", "direction", "intensity"}, {"comment"}},
       {"rectangle_light", {"type", "corner", "u", "v", "intensity"}, {"comment", "samples"}},
@@ -97,6 +100,11 @@ const Keys& object_types() {
 
 const Keys& pattern_types() {
   static const Keys types{"checkerboard", "wood"};
+  return types;
+}
+
+const Keys& bump_types() {
+  static const Keys types{"waves", "table", "rough"};
   return types;
 }
 

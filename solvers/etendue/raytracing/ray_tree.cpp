@@ -12,6 +12,8 @@
 #include "etendue/optics/frost.hpp"
 #include "etendue/optics/reflect.hpp"
 #include "etendue/optics/refract.hpp"
+#include "etendue/raytracing/shading_normal.hpp"
+#include "etendue/reflectance/bump.hpp"
 #include "etendue/text/number_text.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -86,24 +88,41 @@ class TreeBuilder {
     if (is_transparent(material)) crossing = cross(around, met, incident.direction, scene_);
     const double ratio = index_ratio(crossing, tree_.nodes[parent].medium, material);
     const bool clear = material.frost == 0;
-    Shares shares = shares_of(material, std::abs(incident.direction.dot(met.hit.normal)), ratio);
+    const Vec3 normal = material.bump ? bumped(met, incident) : met.hit.normal;
+    Shares shares = shares_of(material, std::abs(incident.direction.dot(normal)), ratio);
 
     std::optional<Vec3> transmission;
     if (material.k_t > 0) {
-      transmission = ratio == 1 ? incident.direction : refract(incident.direction, met.hit.normal, ratio);
+      transmission = ratio == 1 ? incident.direction : refract(incident.direction, normal, ratio);
       if (!transmission) shares.reflected = material.k_r + material.k_t;  // total internal reflection: nothing is lost
     }
     if (shares.reflected > 0) {
-      const Vec3 mirrored = reflect(incident.direction, met.hit.normal);
+      Vec3 mirrored = reflect(incident.direction, normal);
+      if (material.bump) mirrored = kept_outside(mirrored, on_side_of(-incident.direction, met.hit.normal));
       spawn(parent, RayKind::reflected, from_hit(met, mirrored), shares.reflected, around);
     }
     if (transmission && shares.transmitted > 0) {
       Ray onward = incident;  // straight on: beyond this hit, and no surface is met at another t than without it
       onward.t_min = met.hit.t;
+      if (material.bump && ratio != 1) {
+        transmission = kept_outside(*transmission, on_side_of(incident.direction, met.hit.normal));
+      }
       if (!clear) transmission = strayed(*transmission, met.hit.normal, material.frost, parent);
       spawn(parent, RayKind::transmitted, ratio == 1 && clear ? onward : from_hit(met, *transmission),
             shares.transmitted, crossing.behind);
     }
+  }
+
+  /// The normal that mirrors and refracts. Where a bump would turn its back on the ray it is the surface's own.
+  Vec3 bumped(const SceneHit& met, const Ray& incident) const {
+    const Object& object = scene_.objects[met.object];
+    const Vec3 point = at_rest(object, met.hit.point, incident.time);
+    const Vec3 rough = shading_normal(*scene_.materials[object.material].bump, object.shape, point, met.hit.normal);
+    return rough.dot(incident.direction) * met.hit.normal.dot(incident.direction) > 0 ? rough : met.hit.normal;
+  }
+
+  static Vec3 on_side_of(const Vec3& direction, const Vec3& normal) {
+    return normal.dot(direction) < 0 ? Vec3(-normal) : normal;
   }
 
   /// η_incident / η_transmitted; of an opaque surface, whose inside no one sees, for Fresnel's factor.

@@ -6,6 +6,7 @@
 #include "etendue/geometry/spawn.hpp"
 #include "etendue/optics/absorption.hpp"
 #include "etendue/raytracing/area_light.hpp"
+#include "etendue/raytracing/shading_normal.hpp"
 #include "etendue/reflectance/local.hpp"
 
 namespace etendue {
@@ -67,6 +68,18 @@ SurfaceColour colour_at(const Material& material, const Vec3& point) {
           (1 - share) * material.k_a + share * material.pattern->k_a};
 }
 
+namespace {
+
+/// On the viewer's side, as `normal` is.
+Vec3 bumped(const SceneHit& met, const Ray& ray, const Vec3& normal, const Scene& scene) {
+  const Object& object = scene.objects[met.object];
+  const Vec3 point = at_rest(object, met.hit.point, ray.time);
+  const Vec3 outward = shading_normal(*scene.materials[object.material].bump, object.shape, point, met.hit.normal);
+  return normal.dot(met.hit.normal) < 0 ? Vec3(-outward) : outward;
+}
+
+}  // namespace
+
 Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key,
                           const Shadows& shadows, double wavelength) {
   const SceneHit& met = *node.hit;
@@ -99,7 +112,8 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
     for (int part = 0; part < shadow_rays(light); ++part) look_for(light_part(light, part, key.part(i)));
   }
   const LocalReflection surface{colour.k_a, colour.k_d, material.k_s, material.phong_exponent};
-  result.colour = local_reflection(surface, normal, to_viewer, scene.ambient, arriving) + material.emission;
+  const Vec3 shaded = material.bump ? bumped(met, node.ray, normal, scene) : normal;
+  result.colour = local_reflection(surface, shaded, to_viewer, scene.ambient, arriving) + material.emission;
   return result;
 }
 

@@ -38,6 +38,8 @@ struct Shaded {
 /// Symbols   N the geometric normal on the viewer's side; V = −direction; L_i towards light i; I_pi its intensity, s_i the
 ///           share of it that passage() leaves; the sum is over the lights that stand before the surface. E, the
 ///           material's emission, counts as an intensity.
+/// Where the material has a bump, shading_normal() is the N of the products; a light still has to stand before the surface itself, so
+/// that none leaks through from behind.                                                                   @eq IU.4.2.1
 /// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
 /// Of a light with an area, each of the point lights that it is (light_part()) counts so; light i draws from key.part(i).
 [[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},

@@ -21,6 +21,7 @@
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/optics/dispersion.hpp"
 #include "etendue/reflectance/pattern.hpp"
+#include "etendue/scene/material_bump.hpp"
 
 namespace etendue {
 
@@ -64,6 +65,7 @@ struct Material {
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
   std::optional<MaterialPattern> pattern;  ///< for rays; radiosity takes rho
+  std::optional<MaterialBump> bump;        ///< for rays, and for rasterised pictures by Phong's shading
 };
 
 /// Local lights of ray tracing. Lights of radiosity are surfaces with emission.

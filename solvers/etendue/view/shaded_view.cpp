@@ -6,6 +6,7 @@
 #include "etendue/core/contract.hpp"
 #include "etendue/raster/projection.hpp"
 #include "etendue/raytracing/shade.hpp"
+#include "etendue/raytracing/shading_normal.hpp"
 #include "etendue/reflectance/cosines.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/radiosity_view.hpp"
@@ -22,6 +23,7 @@ struct Facet {
   std::size_t object;
   std::array<Vec3, 3> corners, normals;
   Vec3 normal;
+  bool turned = false;  // outward is away from the viewer
 
   Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3; }
 };
@@ -41,9 +43,13 @@ Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& o
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (normals[t].isZero(0)) continue;  // without area: nothing is seen of it
       const auto& ends = mesh.triangles[t];
-      Facet facet{
-          object, {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]}, at_corners[t], normals[t]};
+      Facet facet{object,
+                  {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]},
+                  at_corners[t],
+                  normals[t],
+                  false};
       if (facet.normal.dot(scene.camera.eye - facet.corners[0]) < 0) {
+        facet.turned = true;
         facet.normal = -facet.normal;
         for (Vec3& normal : facet.normals) normal = -normal;
       }
@@ -85,6 +91,20 @@ class Shader {
     append(point, normal, cosines);
   }
 
+  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
+
+  /// In place of the products of a smooth surface those of its bumps, for the lights that stand before it.  @eq IU.4.2.1
+  void bump(const MaterialBump& bump, const Facet& facet, const Vec3& point, const Vec3& normal,
+            std::vector<LightCosines>& cosines) const {
+    const Vec3 outward = facet.turned ? Vec3(-normal) : normal;
+    const Vec3 rough = shading_normal(bump, scene_.objects[facet.object].shape, point, outward);
+    const std::size_t smooth = cosines.size();
+    append(point, facet.turned ? Vec3(-rough) : rough, cosines);
+    for (std::size_t i = 0; i < smooth; ++i)
+      cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
+    cosines.resize(smooth);
+  }
+
   /// Those between the corners of a facet.
   void mix(const Eigen::Array3d& weights, const LightCosines* at_corners, std::vector<LightCosines>& cosines) const {
     cosines.clear();
@@ -96,7 +116,7 @@ class Shader {
   }
 
   Rgb reflected(const Facet& facet, const Vec3& point, const std::vector<LightCosines>& cosines) const {
-    const Material& of = scene_.materials[scene_.objects[facet.object].material];
+    const Material& of = material(facet);
     const SurfaceColour colour = colour_at(of, point);
     const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
     return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_) + of.emission;
@@ -184,7 +204,9 @@ class Picture {
     } else {
       const Vec3 sum = mixed(weights, facet.normals);
       const double length = sum.norm();  // zero only half way between opposite normals
-      shader_.see(point, length > 0 ? Vec3(sum / length) : facet.normal, cosines);
+      const Vec3 normal = length > 0 ? Vec3(sum / length) : facet.normal;
+      shader_.see(point, normal, cosines);
+      if (const auto& bump = shader_.material(facet).bump) shader_.bump(*bump, facet, point, normal, cosines);
     }
     return shader_.reflected(facet, point, cosines);
   }
@@ -250,12 +272,14 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
   return view;
 }
 
-std::vector<std::string> left_out(const Scene& scene) {
+std::vector<std::string> left_out(const Scene& scene, Shading shading) {
   std::vector<std::string> all;
   const std::string mirrors = materials_with(scene, [](const Material& m) { return m.k_r > 0 || m.fresnel; });
   const std::string clear = materials_with(scene, [](const Material& m) { return m.k_t > 0; });
   if (!mirrors.empty()) all.push_back("reflection (k_r of " + mirrors + ")");
   if (!clear.empty()) all.push_back("refraction (k_t of " + clear + ")");
+  const std::string rough = materials_with(scene, [](const Material& m) { return m.bump.has_value(); });
+  if (!rough.empty() && shading != Shading::phong) all.push_back("bumps (of " + rough + ")");
   if (!scene.lights.empty()) all.emplace_back("shadows");
   const bool has_area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {
     return std::holds_alternative<RectangleLight>(light) || std::holds_alternative<SphereLight>(light);

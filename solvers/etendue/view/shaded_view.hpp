@@ -41,14 +41,14 @@ inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
 ///     I = E + local_reflection(N, V, lights)      N by `shading`, turned to the viewer's side with its facet
 ///
 /// Symbols   as for local_illumination(), which the ray tracer uses; a light with an area counts as its middle. Values are
-///           interpolated on the surface, so perspective does not bend them
+///           interpolated on the surface, so perspective does not bend them. Bumps turn N where `shading` is phong      @eq IU.4.2.1
 /// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1
 /// Returns   the same bits for any number of threads; what left_out() says is not in it
 /// Errors    those of camera_frame() and tessellated(); a picture that is too large; ErrorCode::stopped, between bands of rows
 [[nodiscard]] Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options,
                                              const Execution& execution = {});
 
-/// What of a scene view_shaded() leaves out, a phrase each: "reflection (k_r of 'mirror')".
-[[nodiscard]] std::vector<std::string> left_out(const Scene& scene);
+/// What of a scene view_shaded() leaves out with this shading, a phrase each: "reflection (k_r of 'mirror')".
+[[nodiscard]] std::vector<std::string> left_out(const Scene& scene, Shading shading = Shading::phong);
 
 }  // namespace etendue
