@@ -9,8 +9,9 @@ namespace etendue::validation {
 
 namespace {
 
-constexpr std::array kKnown = {"--filter", "--text",   "--json", "--junit",  "--quiet",
-                               "--list",   "--claims", "--help", "--version"};
+constexpr std::array kKnown = {"--filter", "--text",   "--json", "--junit",   "--quiet",
+                               "--list",   "--claims", "--help", "--version", "--update-references",
+                               "--reason"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
 std::size_t edits(const std::string& a, const std::string& b) {
@@ -42,6 +43,8 @@ std::string* value_of(Options& options, const std::string& option) {
   if (option == "--text") return &options.text_path;
   if (option == "--json") return &options.json_path;
   if (option == "--junit") return &options.junit_path;
+  if (option == "--update-references") return &options.references;
+  if (option == "--reason") return &options.reason;
   return nullptr;
 }
 
@@ -86,6 +89,11 @@ Result<Options> parse_options(const std::vector<std::string>& arguments) {
       *value = arguments[++i];
     if (value->empty()) return usage(option + " needs a value");
   }
+  if (options.references.empty() != options.reason.empty()) {
+    return usage(options.reason.empty() ? "--update-references needs --reason: why the old pictures are no longer right"
+                                        : "--reason belongs to --update-references");
+  }
+  if (!options.references.empty()) options.action = Options::Action::update_references;
   return options;
 }
 
@@ -105,6 +113,9 @@ Options
   --quiet              print failures and the closing line only
   --list               print each test with what it proves, and stop
   --claims             print the register with its verdicts, and stop
+  --update-references WHICH --reason WHY
+                       render the pictures of scenes/references.json whose paths begin with WHICH (or all) again, replace
+                       those that changed, and record version, day and reason
   --version            print the version, and stop
   --help               print this, and stop
   --gtest_*            handed to GoogleTest, which then prints in its own form

@@ -10,12 +10,14 @@ namespace etendue::validation {
 
 /// What the command line of etendue-validate asks for.
 struct Options {
-  enum class Action { run, help, version, list, claims };
+  enum class Action { run, help, version, list, claims, update_references };
   Action action = Action::run;
   std::vector<std::string> filters;  ///< ids or patterns; a test runs if it fits any; empty: all
   std::string text_path;
   std::string json_path;
   std::string junit_path;
+  std::string references;                  ///< which to update: "all", or how their paths begin
+  std::string reason;                      ///< why
   bool quiet = false;                      ///< nothing but failures and the headline on stdout
   std::vector<std::string> gtest_options;  ///< handed on to GoogleTest as they are
 };

@@ -18,6 +18,7 @@
 #include "runner/listeners.hpp"
 #include "runner/options.hpp"
 #include "runner/probe.hpp"
+#include "runner/references.hpp"
 #include "runner/report.hpp"
 
 namespace etendue::validation {
@@ -226,6 +227,11 @@ int run(int argc, char** argv, std::string_view claims_json, std::string_view er
   if (options->action == Options::Action::version) {
     std::cout << "etendue-validate " << version() << "\n";
     return 0;
+  }
+  if (options->action == Options::Action::update_references) {
+    const std::string which = options->references == "all" ? "" : options->references;
+    const auto updated = update_references(references_root(), which, options->reason, utc_now().substr(0, 10));
+    return updated ? 0 : fail(updated.error());
   }
   const auto all = parse_register(claims_json, errata_json);
   if (!all) return fail(all.error());

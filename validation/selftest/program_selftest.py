@@ -64,6 +64,11 @@ with tempfile.TemporaryDirectory() as folder:
            f"etendue-validate: cannot write '{paths['json']}': File too large\n", preexec_fn=limit)
     if sorted(os.listdir(folder)) != ["a.json", "a.xml"]:
         complaints.append("files left behind: " + " ".join(os.listdir(folder)))
+demand("references are not updated without a reason", ["--update-references", "all"], 2,
+       "--update-references needs --reason: why the old pictures are no longer right\n")
+demand("a reason alone means nothing", ["--reason", "new"], 2, "--reason belongs to --update-references\n")
+demand("references that are none are named", ["--update-references", "scenes/none", "--reason", "new"], 2,
+       "--update-references: no reference picture begins with scenes/none\n")
 lost = "etendue-validate: cannot write to standard output: not all data got through\n"
 for options in (["--version"], ["--help"], ["--claims"], ["--list"], ["--filter", "Evidence.*"],
                 ["--gtest_filter=Evidence.*"]):

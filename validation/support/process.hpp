@@ -31,7 +31,7 @@ struct ProcessOptions {
 Ended run_process(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                   const ProcessOptions& options = {});
 
-/// The real program `etendue` of this build.
+/// The real program `etendue` of this build, or what the environment's ETENDUE_PROGRAM names.
 Ended run_etendue(const std::vector<std::string>& arguments, const ProcessOptions& options = {});
 const std::filesystem::path& etendue_program();
 
