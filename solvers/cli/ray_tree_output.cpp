@@ -25,6 +25,8 @@ const char* word(RayEnd end) {
       return "depth limit";
     case RayEnd::below_cutoff:
       return "below cutoff";
+    case RayEnd::environment:
+      return "environment";
   }
   return "unknown";
 }

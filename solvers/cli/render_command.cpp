@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "accelerator_option.hpp"
+#include "cube_render.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/raytracing/preview.hpp"
 #include "etendue/text/number_text.hpp"
@@ -141,6 +142,45 @@ Result<Rendering> rendered(const RenderRequest& request, const SceneFile& file, 
   return rendering;
 }
 
+/// --method raytrace, with all options settled: renders, writes, reports; returns the exit code.
+int render_by_rays(const RenderRequest& request, const Options& options, const SceneFile& file, std::ostream& out,
+                   std::ostream& err) {
+  const auto made = named_accelerator(request.accelerator, file.scene);
+  if (!made) return fail(err, kName, made.error());
+  const Accelerator& accelerator = **made;
+  if (request.pixel) return explain_pixel(request, options, file, accelerator, out, err);
+
+  const auto begin = Clock::now();
+  const auto rendering = rendered(request, file, accelerator, err);
+  if (!rendering) return fail(err, kName, rendering.error());
+  const std::chrono::duration<double> elapsed = Clock::now() - begin;
+  if (!rendering->complete && request.cube)
+    return fail(err, kName, {ErrorCode::stopped, "stopped; the images that were complete are kept"});
+  const auto written = write_rendering(request, file, *rendering);
+  if (!written) return fail(err, kName, written.error());
+
+  if (request.common.json) {
+    print_json(out, request, file, *rendering, *written, elapsed.count());
+  } else if (!request.common.quiet) {
+    print_text(out, request, file, *rendering, *written, elapsed.count());
+  }
+  if (rendering->complete) return 0;
+  return fail(err, kName,
+              {ErrorCode::stopped, "stopped; the rows that were done are in " + quoted_path(written->exr) +
+                                       ", and --resume goes on from " + quoted_path(written->saved)});
+}
+
+std::vector<fs::path> all_outputs(const RenderRequest& request) {
+  if (!request.cube) return render_outputs(request);
+  std::vector<fs::path> all;
+  for (const RenderRequest& face : cube_requests(request)) {
+    const RenderFiles files = render_files(face, true);
+    all.push_back(files.exr);
+    all.push_back(files.png);
+  }
+  return all;
+}
+
 }  // namespace
 
 int render(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err) {
@@ -160,36 +200,21 @@ int render(const std::vector<std::string>& arguments, std::ostream& out, std::os
     const fs::path picture = request.common.output.empty() ? render_files(request, true).png : request.common.output;
     if (const auto fit = check_image_path(picture); !fit) return fail(err, kName, fit.error());
   }
-  if (const auto free = check_outputs(render_outputs(request), file.files); !free)
-    return fail(err, kName, free.error());
+  if (const auto free = check_outputs(all_outputs(request), file.files); !free) return fail(err, kName, free.error());
+  if (request.hide) {
+    if (const auto hidden = hide(*request.hide, file.scene); !hidden) return fail(err, kName, hidden.error());
+  }
+  if (request.cube) file.scene.camera.rows = file.scene.camera.columns;
   if (const auto complaint = settle_size(request, file.scene.camera)) return options.usage_error(err, *complaint);
   if (!request.pixel) {
     if (const auto room = check_room(request, file.scene.camera); !room) {
       return fail(err, kName, {room.error().code, printable(request.scene.string()) + ": " + room.error().message});
     }
   }
-  if (request.by_raster()) return render_by_raster(request, file, out, err);
-  const auto made = named_accelerator(request.accelerator, file.scene);
-  if (!made) return fail(err, kName, made.error());
-  const Accelerator& accelerator = **made;
-  if (request.pixel) return explain_pixel(request, options, file, accelerator, out, err);
-
-  const auto begin = Clock::now();
-  const auto rendering = rendered(request, file, accelerator, err);
-  if (!rendering) return fail(err, kName, rendering.error());
-  const std::chrono::duration<double> elapsed = Clock::now() - begin;
-  const auto written = write_rendering(request, file, *rendering);
-  if (!written) return fail(err, kName, written.error());
-
-  if (request.common.json) {
-    print_json(out, request, file, *rendering, *written, elapsed.count());
-  } else if (!request.common.quiet) {
-    print_text(out, request, file, *rendering, *written, elapsed.count());
-  }
-  if (rendering->complete) return 0;
-  return fail(err, kName,
-              {ErrorCode::stopped, "stopped; the rows that were done are in " + quoted_path(written->exr) +
-                                       ", and --resume goes on from " + quoted_path(written->saved)});
+  const auto picture = [&](const RenderRequest& each, const SceneFile& seen) {
+    return each.by_raster() ? render_by_raster(each, seen, out, err) : render_by_rays(each, options, seen, out, err);
+  };
+  return request.cube ? render_cube(request, std::move(file), out, picture) : picture(request, file);
 }
 
 }  // namespace etendue::cli

@@ -59,6 +59,14 @@ ImageMetadata metadata(const RenderRequest& request, const SceneFile& file, cons
   return facts;
 }
 
+/// The camera of --cube is not the scene's.
+void add_eye(ImageMetadata& facts, const RenderRequest& request, const Camera& camera) {
+  if (request.hide) facts.emplace_back("etendue:hidden", *request.hide);
+  if (!request.cube_eye) return;
+  const auto text = [](const Vec3& v) { return shortest(v.x()) + ", " + shortest(v.y()) + ", " + shortest(v.z()); };
+  facts.emplace_back("etendue:cube", "from " + text(camera.eye) + " along " + text(camera.gaze));
+}
+
 std::vector<ImageChannel> channels(const RenderRequest& request, const Rendering& rendering) {
   std::vector<ImageChannel> all;
   for (std::size_t i = 0; i < rendering.facts.size(); ++i) {
@@ -164,6 +172,7 @@ std::vector<fs::path> render_outputs(const RenderRequest& request) {
 Result<RenderFiles> write_rendering(const RenderRequest& request, const SceneFile& file, const Rendering& rendering) {
   RenderFiles files = render_files(request, rendering.complete);
   ImageMetadata facts = metadata(request, file, rendering);
+  add_eye(facts, request, file.scene.camera);
   const auto exr = encode_image(files.exr, rendering.image, facts, channels(request, rendering));
   if (!exr) return exr.error();
   const ToneMapping how = mapping(request.tone, 1);

@@ -40,6 +40,16 @@ void declare(Options& options, RenderRequest& request) {
   options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",
                   request.columns, 1, kMostColumns);
   options.text(
+      "--cube", "X,Y,Z",
+      "not the camera's picture but the six that look out of a cube at this place, each 90 degrees wide and high: "
+      "NAME.right, left, back, front, top and bottom (+x, -x, +y, -y, +z, -z), for a material's \"environment\"",
+      request.cube);
+  options.text(
+      "--hide", "OBJECT",
+      "leave out the object of this name, or all of a group: with --cube, what mirrors its surroundings must not "
+      "stand in the way",
+      request.hide);
+  options.text(
       "--crop", "LEFT,TOP,RIGHT,BOTTOM",
       "only these columns and rows, counted from 0 at the upper left, without the last ones: the same bits as in "
       "the whole picture",
@@ -113,6 +123,8 @@ void declare(Options& options, RenderRequest& request) {
       "--output "
       "corner.exr");
   options.example("etendue render scenes/mirrors/scene.json --ray-tree 250,200");
+  options.example(
+      "etendue render scenes/environment/scene.json --cube 0,0,1 --hide ball --columns 64 --output surroundings.exr");
   options.example(
       "etendue render scenes/facets/scene.json --method raster --shading gouraud --facets 16 --scan-line 90,60,200 "
       "--output "

@@ -18,6 +18,7 @@ namespace {
 constexpr double kMostPixels = 1 << 28;  // as many as a scene's "resolution" may have
 constexpr int kLongestSide = 65536;      // of a scene's "resolution"
 constexpr double kUsualCreaseDeg = 60;   // of TessellationOptions
+constexpr double kFarthestCube = 1e50;   // as coordinates of scenes
 constexpr int kUsualSamples = 2, kUsualAdaptiveSamples = 4;
 
 std::vector<std::string> parts(const std::string& text, char separator) {
@@ -80,6 +81,24 @@ std::optional<std::string> read_facts(RenderRequest& request) {
     } else if (std::find(chosen.begin(), chosen.end(), *found) == chosen.end()) {
       chosen.push_back(*found);
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> read_cube(RenderRequest& request) {
+  if (!request.cube) return std::nullopt;
+  const auto place = numbers<double>(*request.cube, ',');
+  const auto is_coordinate = [](double x) { return std::abs(x) <= kFarthestCube; };  // refuses NaN too
+  if (!place || place->size() != 3 || !std::all_of(place->begin(), place->end(), is_coordinate))
+    return unlike("--cube", *request.cube, "X,Y,Z: three coordinates of the scene, in its unit");
+  request.cube_eye = Vec3((*place)[0], (*place)[1], (*place)[2]);
+  const std::pair<bool, const char*> without[] = {
+      {request.size.has_value(), "--size"},           {request.crop.has_value(), "--crop"},
+      {request.scan_line.has_value(), "--scan-line"}, {request.pixel.has_value(), "--ray-tree"},
+      {!request.preview.empty(), "--preview"},        {request.resume, "--resume"}};
+  for (const auto& [given, option] : without) {
+    if (given)
+      return "option '" + std::string(option) + "' is for one picture; --cube makes six, --columns wide and high";
   }
   return std::nullopt;
 }
@@ -211,6 +230,7 @@ std::string RenderRequest::settings(const Camera& camera) const {
   if (shadows != "attenuated") text += ", shadows " + shadows;
   if (acne_cure != "bound") text += ", acne cure " + acne_cure;
   if (render.wavelengths > 0) text += ", wavelengths " + std::to_string(render.wavelengths);
+  if (hide) text += ", without " + *hide;
   if (const auto& window = render.crop) {
     text += ", crop " + std::to_string(window->left) + "," + std::to_string(window->top) + "," +
             std::to_string(window->right) + "," + std::to_string(window->bottom);
@@ -240,6 +260,7 @@ std::optional<std::string> settle(RenderRequest& request) {
   request.render.filter = usual_filter(kind);
   if (request.filter_width > 0) request.render.filter.radius = request.filter_width / 2;
   if (const auto wrong = read_facts(request)) return wrong;
+  if (const auto wrong = read_cube(request)) return wrong;
   if (request.size && request.columns > 0) return "options '--columns' and '--size' both say how wide the picture is";
   const bool tree = request.pixel.has_value();
   if (tree && !request.common.output.empty() && request.common.output.extension() != ".dot") {

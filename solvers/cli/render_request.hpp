@@ -38,6 +38,8 @@ struct RenderRequest {
   ToneOptions tone;
   std::optional<std::string> pixel;  ///< of --ray-tree
   std::optional<std::string> size, threshold, crop, facts, scan_line;
+  std::optional<std::string> cube, hide;  ///< a place, as typed; the name of an object
+  std::optional<Vec3> cube_eye;           ///< of --cube, after settle()
   struct LinePart {
     int row, first, last;
   };

@@ -28,6 +28,10 @@ double transparency(double n_z, const TransparencyRange& range, double m) {
   return range.least + (range.greatest - range.least) * (1 - std::pow(1 - n_z, m));
 }
 
+double transparency(double n_z, const TransparencyLaw& law) {
+  return law.power == 1 ? transparency(n_z, law.range) : transparency(n_z, law.range, law.power);
+}
+
 Eigen::Array3d see_through(const Eigen::Array3d& front, const Eigen::Array3d& back, double transparency) {
   require(0 <= transparency && transparency <= 1, "see_through: transparency is in [0, 1]");
   return (1 - transparency) * front + transparency * back;

@@ -13,6 +13,12 @@ struct TransparencyRange {
   double greatest = 1;  ///< t_max, facing the viewer
 };
 
+/// Which of the two laws, and between which ends.
+struct TransparencyLaw {
+  TransparencyRange range;
+  double power = 1;  ///< m; 1: linear
+};
+
 /// Transparency of a curved, solid object, which is less at its silhouettes: there the light crosses more of it.
 ///
 ///     t = t_min + (t_max − t_min) n_z                                                         @eq IU.4.4b
@@ -31,6 +37,9 @@ struct TransparencyRange {
 /// Domain    as above, m ≥ 1
 /// Accuracy  absolute error of at most (6 + m) u for a pow that errs by less than one ulp
 [[nodiscard]] double transparency(double n_z, const TransparencyRange& range, double m);
+
+/// The law's transparency: of the linear one without a power.
+[[nodiscard]] double transparency(double n_z, const TransparencyLaw& law);
 
 /// What is seen through a clear object: a part of its own light and a part of what lies behind.
 ///

@@ -14,6 +14,7 @@ namespace {
 /// Phong exponents beyond tell nothing from a mirror; refractive indices beyond occur in no glass.
 constexpr Interval kExponent{1, 1e6};
 constexpr Interval kRefractiveIndex{0.1, 10};
+constexpr Interval kPower{1, 1000};  // beyond, the rim is thinner than any pixel
 constexpr Interval kFrost{0, kMostFrost};
 /// ρ = 1 makes the radiosity equation of a closed room singular.
 constexpr Interval kReflectance{0, 1, false, true};
@@ -163,6 +164,17 @@ std::optional<Light> read_sphere_light(const SceneNode& node, const Placement& p
   return Light(SphereLight{placement.point(*place), placement.scale * radius, intensity, read_samples(node)});
 }
 
+std::optional<TransparencyLaw> read_see_through(const SceneNode& node) {
+  if (!node.is(keys_of("see_through"))) return std::nullopt;
+  TransparencyLaw law;
+  law.range = {number(node, "least", kFraction, 0), number(node, "greatest", kFraction, 1)};
+  law.power = number(node, "power", kPower, 1);
+  if (law.range.least <= law.range.greatest) return law;
+  node.complain("found \"least\" " + shortest(law.range.least) + " above \"greatest\" " + shortest(law.range.greatest) +
+                ", expected the silhouette's to be the smaller one");
+  return std::nullopt;
+}
+
 }  // namespace
 
 Material read_material(const SceneNode& node, const std::string& name, double scale) {
@@ -179,6 +191,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
   if (const auto pattern = node.member("pattern")) material.pattern = read_pattern(*pattern, scale);
+  if (const auto law = node.member("see_through")) material.see_through = read_see_through(*law);
   if (const auto bump = node.member("bump")) material.bump = read_bump(*bump, scale);
   if (material.k_r + material.k_t > 1) {
     node.warn("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) + " in material '" + name +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/scene_assembly.hpp"
 
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <utility>
@@ -21,10 +22,12 @@ constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 
 class Assembly {
  public:
-  Assembly(const LoadedFiles& files, SceneErrors& errors) : files_(files), errors_(errors) {}
+  Assembly(const LoadedFiles& files, EnvironmentFiles& environments, SceneErrors& errors)
+      : files_(files), environments_(environments), errors_(errors) {}
 
   Scene build() {
     for (const LoadedFile& file : files_.files) {
+      environments_.look_in(std::filesystem::path(file.name).parent_path());
       if (file.sound) read_materials(node_of(file), scale_of(file));
     }
     for (const LoadedFile& file : files_.files) {
@@ -52,7 +55,15 @@ class Assembly {
         node.complain("found a material of a name that an included file has taken, expected another name");
       }
       scene_.materials.push_back(read_material(node, name, scale));
+      if (const auto images = node.member("environment")) read_environment(*images, scene_.materials.back());
     }
+  }
+
+  void read_environment(const SceneNode& images, Material& material) {
+    if (!(material.k_r > 0 || (material.fresnel && material.k_t > 0))) {
+      images.complain("found \"environment\" without \"k_r\", expected a \"k_r\" above 0: so much of it is mirrored");
+    }
+    material.environment = environments_.read(images);
   }
 
   void read_contents(const LoadedFile& file) {
@@ -208,6 +219,7 @@ class Assembly {
   }
 
   const LoadedFiles& files_;
+  EnvironmentFiles& environments_;
   SceneErrors& errors_;
   Scene scene_;
   Vec3 velocity_ = Vec3::Zero();  ///< of the groups that are read
@@ -217,8 +229,8 @@ class Assembly {
 
 }  // namespace
 
-Scene assemble_scene(const LoadedFiles& files, SceneErrors& errors) {
-  return Assembly(files, errors).build();
+Scene assemble_scene(const LoadedFiles& files, EnvironmentFiles& environments, SceneErrors& errors) {
+  return Assembly(files, environments, errors).build();
 }
 
 }  // namespace etendue

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "etendue/io/environment_reader.hpp"
 #include "etendue/io/scene_files.hpp"
 #include "etendue/io/scene_node.hpp"
 
 namespace etendue {
 
 /// The contents of the files as one scene. Everything wrong is reported; the scene is to be used only if nothing was.
-[[nodiscard]] Scene assemble_scene(const LoadedFiles& files, SceneErrors& errors);
+[[nodiscard]] Scene assemble_scene(const LoadedFiles& files, EnvironmentFiles& environments, SceneErrors& errors);
 
 }  // namespace etendue

@@ -28,7 +28,7 @@ class Loader {
   explicit Loader(SceneErrors& errors) : errors_(errors) {}
 
   LoadedFiles finish() {
-    loaded_.hash = fingerprint_.hex();
+    loaded_.fingerprint = fingerprint_;
     return std::move(loaded_);
   }
 

@@ -8,6 +8,7 @@
 
 #include "etendue/core/result.hpp"
 #include "etendue/io/scene_node.hpp"
+#include "etendue/text/fingerprint.hpp"
 
 namespace etendue {
 
@@ -23,8 +24,8 @@ struct LoadedFile {
 /// All files of a scene, in the order in which their contents come: what a file includes before the file itself.
 struct LoadedFiles {
   std::deque<LoadedFile> files;
-  bool complete = true;  ///< false when a file is missing or is not JSON: then names may seem unknown that are not
-  std::string hash;
+  bool complete = true;     ///< false when a file is missing or is not JSON: then names may seem unknown that are not
+  Fingerprint fingerprint;  ///< of their bytes and lengths
 };
 
 /// Reads a file and, following "include", those it needs, each once. Reports what is wrong with their outline: syntax,

@@ -11,10 +11,13 @@ Result<SceneFile> read_scene(const std::filesystem::path& path) {
   auto files = load_scene_files(path, errors);
   if (!files) return files.error();
   SceneFile result;
-  result.hash = files->hash;
   for (const LoadedFile& file : files->files) result.files.emplace_back(file.name);
-  result.scene = assemble_scene(*files, errors);
+  Fingerprint fingerprint = files->fingerprint;
+  EnvironmentFiles environments(fingerprint);
+  result.scene = assemble_scene(*files, environments, errors);
   if (errors.count() > 0) return Error{ErrorCode::invalid_input, errors.text()};
+  result.files.insert(result.files.end(), environments.files().begin(), environments.files().end());
+  result.hash = fingerprint.hex();
   result.warnings = errors.warnings();
   return result;
 }

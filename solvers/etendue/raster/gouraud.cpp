@@ -68,9 +68,9 @@ Numerators numerators(const std::array<GouraudVertex, 3>& triangle, const Triang
   return all;
 }
 
-/// Calls show(index, value) for each pixel of the triangle that is nearer than what `inverse_depth` holds, and keeps it.
+/// Calls show(index, value, inverse depth) for each pixel of the triangle that is nearer than what `depths` holds.
 template <Stepping kStepping, class Show>
-void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, std::vector<double>& depths,
+void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, const std::vector<double>& depths,
           const Show& show) {
   for (const auto& corner : triangle) require(corner.inverse_depth > 0, "draw: corners lie before the eye");
   TriangleSpans spans({triangle[0].position, triangle[1].position, triangle[2].position}, window);
@@ -96,9 +96,8 @@ void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window
       }
       const double inverse_depth = nearness + t * all.depth_step;
       if (inverse_depth > depths[index]) {
-        depths[index] = inverse_depth;
         const double depth = 1 / inverse_depth;
-        show(index, Eigen::Array3d(sum[0] * depth, sum[1] * depth, sum[2] * depth));
+        show(index, Eigen::Array3d(sum[0] * depth, sum[1] * depth, sum[2] * depth), inverse_depth);
       }
       if constexpr (kStepping == Stepping::incremental) {
         for (std::size_t c = 0; c < 3; ++c) sum[c] += all.step[c];
@@ -120,7 +119,10 @@ DepthRaster::DepthRaster(int columns, int rows, const Eigen::Array3d& background
 
 void DepthRaster::draw(const std::array<GouraudVertex, 3>& triangle) {
   const ScanWindow window{picture_.columns, 0, picture_.rows};
-  const auto show = [this](std::size_t index, const Eigen::Array3d& value) { picture_.pixels[index] = value; };
+  const auto show = [this](std::size_t index, const Eigen::Array3d& value, double inverse_depth) {
+    inverse_depth_[index] = inverse_depth;
+    picture_.pixels[index] = value;
+  };
   switch (stepping_) {
     case Stepping::direct:
       return fill<Stepping::direct>(triangle, window, inverse_depth_, show);
@@ -139,9 +141,26 @@ void FacetRaster::look(const ScanWindow& window) {
 }
 
 void FacetRaster::draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet) {
-  fill<Stepping::direct>(triangle, window_, inverse_depth_, [&](std::size_t index, const Eigen::Array3d& value) {
+  const auto show = [&](std::size_t index, const Eigen::Array3d& value, double inverse_depth) {
+    inverse_depth_[index] = inverse_depth;
     weights_[index] = value;
     facet_[index] = facet;
+  };
+  fill<Stepping::direct>(triangle, window_, inverse_depth_, show);
+}
+
+void FacetRaster::collect(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet,
+                          std::vector<Fragment>& fragments) const {
+  const auto show = [&](std::size_t index, const Eigen::Array3d& value, double inverse_depth) {
+    fragments.push_back({index, inverse_depth, facet, value});
+  };
+  fill<Stepping::direct>(triangle, window_, inverse_depth_, show);
+}
+
+void sort_back_to_front(std::vector<Fragment>& fragments) {
+  std::sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) {
+    if (a.place != b.place) return a.place < b.place;
+    return a.inverse_depth != b.inverse_depth ? a.inverse_depth < b.inverse_depth : a.facet < b.facet;
   });
 }
 

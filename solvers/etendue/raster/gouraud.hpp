@@ -62,6 +62,16 @@ class DepthRaster {
 
 inline constexpr std::uint32_t kNoFacet = 0xffffffff;
 
+/// A transparent triangle at a pixel.
+struct Fragment {
+  std::size_t place;  ///< row by row in the rows that are looked at
+  double inverse_depth;
+  std::uint32_t facet;
+  Eigen::Array3d weights;  ///< barycentric coordinates, as of FacetRaster
+};
+/// By their place, and at each the farthest first.
+void sort_back_to_front(std::vector<Fragment>& fragments);
+
 /// For each pixel of some rows the number of the nearest triangle, its depth, and where in the triangle the pixel's centre
 /// lies: what is computed from it is computed once a pixel, whatever was drawn there before.
 class FacetRaster {
@@ -72,6 +82,11 @@ class FacetRaster {
   /// `value` of the corners are barycentric coordinates in triangle `facet`, of which this is all or a part.
   void draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet);
 
+  /// Adds the triangle at each pixel where it is nearer than what is drawn. It hides nothing.
+  void collect(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet,
+               std::vector<Fragment>& fragments) const;
+
+  std::size_t place(int column, int row) const { return index(column, row); }
   std::uint32_t facet(int column, int row) const { return facet_[index(column, row)]; }
   /// Barycentric coordinates on the surface, corrected for perspective; of no meaning where there is no facet.
   const Eigen::Array3d& weights(int column, int row) const { return weights_[index(column, row)]; }

@@ -99,7 +99,8 @@ class TreeBuilder {
     if (shares.reflected > 0) {
       Vec3 mirrored = reflect(incident.direction, normal);
       if (material.bump) mirrored = kept_outside(mirrored, on_side_of(-incident.direction, met.hit.normal));
-      spawn(parent, RayKind::reflected, from_hit(met, mirrored), shares.reflected, around);
+      const bool mapped = material.environment && (!is_transparent(material) || on_front(incident, met));
+      spawn(parent, RayKind::reflected, from_hit(met, mirrored), shares.reflected, around, mapped);
     }
     if (transmission && shares.transmitted > 0) {
       Ray onward = incident;  // straight on: beyond this hit, and no surface is met at another t than without it
@@ -150,11 +151,14 @@ class TreeBuilder {
     return frosted(clear, normal, frost, a, b);
   }
 
+  static bool on_front(const Ray& incident, const SceneHit& met) { return incident.direction.dot(met.hit.normal) < 0; }
+
   static Ray from_hit(const SceneHit& met, const Vec3& direction) {
     return {offset_origin(met.hit, direction), direction};
   }
 
-  void spawn(std::size_t parent, RayKind kind, const Ray& ray, double coefficient, const Media& media) {
+  void spawn(std::size_t parent, RayKind kind, const Ray& ray, double coefficient, const Media& media,
+             bool mapped = false) {
     RayNode& child = tree_.nodes.emplace_back();
     const RayNode& from = tree_.nodes[parent];
     child.ray = ray;
@@ -165,7 +169,8 @@ class TreeBuilder {
     child.coefficient = coefficient;
     child.weight = from.weight * coefficient * left_by_medium(from);
     child.media = media;
-    follow(tree_.nodes.size() - 1);
+    child.end = RayEnd::environment;
+    if (!mapped) follow(tree_.nodes.size() - 1);
   }
 
   /// The greatest share, of the channels', that the medium of a ray leaves of what comes along it.
@@ -200,6 +205,8 @@ std::string fate(const RayNode& node, const Scene& scene) {
       return "is not followed: depth limit";
     case RayEnd::below_cutoff:
       return "is not followed: below the cutoff";
+    case RayEnd::environment:
+      return "sees the environment of the mirror";
   }
   return "unknown";
 }

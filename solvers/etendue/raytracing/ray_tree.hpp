@@ -19,6 +19,7 @@ enum class RayEnd {
   left_scene,    ///< it met nothing and sees the background (zero only if that is black)
   depth_limit,   ///< not followed: deeper than the greatest level; counts as black
   below_cutoff,  ///< not followed: its weight is below the cutoff; counts as black
+  environment,   ///< not followed: it sees the images that the mirror's material has of its surroundings
 };
 
 /// A ray and what became of it.
@@ -66,6 +67,7 @@ struct RayStart {
 /// η is the quotient of the indices on the two sides, which cross() finds: a bubble in glass in water is right. A surface
 /// that lies hidden in a body of higher priority is passed as if it were not there. Where the index stays the same the
 /// ray goes straight on, to the last bit. Through frost it strays as frosted() says, to either side of that.     @eq IU.4.3d
+/// Where the material has an environment, a ray mirrored outside ends in it, whatever the limits.         @eq IU.4.1.3
 /// Under total internal reflection nothing is transmitted: the reflected ray then carries k_r + k_t.
 /// Secondary rays begin outside the error bound of the hit (offset_origin), so there is no tolerance to choose.
 ///

@@ -53,6 +53,8 @@ std::string end_label(const RayNode& node, const Scene& scene) {
       return "depth limit";
     case RayEnd::below_cutoff:
       return "below cutoff";
+    case RayEnd::environment:
+      return "environment";
   }
   return "unknown";
 }

@@ -26,6 +26,7 @@ RenderCounts count(const RayTree& tree, int& depth) {
       counts.largest_cut_weight += node.weight;
       continue;
     }
+    if (node.end == RayEnd::environment) continue;
     depth = std::max(depth, node.level);
     switch (node.kind) {
       case RayKind::eye:

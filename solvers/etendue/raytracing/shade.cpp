@@ -117,6 +117,15 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
   return result;
 }
 
+namespace {
+
+/// What the images around a mirror show in a direction.
+Rgb mapped(const RayNode& mirror, const Vec3& direction, const Scene& scene) {
+  return scene.materials[scene.objects[mirror.hit->object].material].environment->at(direction);
+}
+
+}  // namespace
+
 Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKey& key, const Shadows& shadows) {
   const Scene& scene = accelerator.scene();
   Shaded total;
@@ -126,6 +135,7 @@ Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKe
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const RayNode& node = tree.nodes[i];
     if (node.end == RayEnd::left_scene) colour[i] = scene.background;
+    if (node.end == RayEnd::environment) colour[i] = mapped(tree.nodes[node.parent], node.ray.direction, scene);
     if (node.end == RayEnd::surface) {
       const Shaded local = local_illumination(node, accelerator, key.part(i), shadows, tree.wavelength);
       colour[i] += local.colour;

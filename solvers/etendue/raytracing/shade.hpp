@@ -57,7 +57,8 @@ struct SurfaceColour {
 ///     I = [ I_local + k_r I_r + k_t I_t ] exp(−σ d)    for each ray that met a surface, from the leaves to the root
 ///
 /// Symbols   σ absorption of the body that the ray travels in, d the ray's length: transmittance()
-/// A ray that left the scene brings the background, one that was not followed brings nothing.
+/// A ray that left the scene brings the background, one that ends in a mirror's environment what its images show in
+/// that direction (IU.4.1.3), one that was not followed nothing.
 /// Ray i of the tree draws its random numbers from key.part(i).
 [[nodiscard]] Shaded shade(const RayTree& tree, const Accelerator& accelerator, const SampleKey& key = {},
                            const Shadows& shadows = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -20,7 +21,9 @@
 #include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/optics/dispersion.hpp"
+#include "etendue/reflectance/cube_map.hpp"
 #include "etendue/reflectance/pattern.hpp"
+#include "etendue/reflectance/transparency.hpp"
 #include "etendue/scene/material_bump.hpp"
 
 namespace etendue {
@@ -64,8 +67,10 @@ struct Material {
   int priority = 0;  ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
-  std::optional<MaterialPattern> pattern;  ///< for rays; radiosity takes rho
-  std::optional<MaterialBump> bump;        ///< for rays, and for rasterised pictures by Phong's shading
+  std::optional<MaterialPattern> pattern;      ///< for rays; radiosity takes rho
+  std::optional<MaterialBump> bump;            ///< for rays, and for rasterised pictures by Phong's shading
+  std::optional<TransparencyLaw> see_through;  ///< for rasterised pictures; rays refract, by k_t and eta
+  std::shared_ptr<const CubeMap> environment;  ///< what is mirrored, in place of the scene; null: the scene
 };
 
 /// Local lights of ray tracing. Lights of radiosity are surfaces with emission.

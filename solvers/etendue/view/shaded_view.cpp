@@ -9,6 +9,7 @@
 #include "etendue/raytracing/shading_normal.hpp"
 #include "etendue/reflectance/cosines.hpp"
 #include "etendue/text/utf8.hpp"
+#include "etendue/view/mirrored_environment.hpp"
 #include "etendue/view/radiosity_view.hpp"
 
 namespace etendue {
@@ -71,6 +72,14 @@ class Shader {
 
   std::size_t lights() const { return intensities_.size(); }
 
+  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
+
+  Vec3 to_viewer(const Vec3& point) const {
+    const Vec3 way = scene_.camera.eye - point;
+    const double length = way.norm();
+    return length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
+  }
+
   /// What is known of a facet before its pixels are.
   void prepare(const Facet& facet, std::vector<Rgb>& colours, std::vector<LightCosines>& cosines) const {
     if (shading_ == Shading::flat) {
@@ -85,24 +94,20 @@ class Shader {
     for (std::size_t k = 0; k < 3; ++k) append(facet.corners[k], facet.normals[k], cosines);
   }
 
+  /// What a point shows whose normal is known, with bumps and environment.
+  Rgb phong(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
+    const Material& of = material(facet);
+    see(point, normal, cosines);
+    const Vec3 shaded = of.bump ? bumped(*of.bump, facet, point, normal, cosines) : normal;
+    Rgb colour = reflected(facet, point, cosines);
+    if (of.environment) colour += mirrored_environment(of, -to_viewer(point), normal, shaded);
+    return colour;
+  }
+
   /// The scalar products of all lights at a point, into `cosines`.
   void see(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     cosines.clear();
     append(point, normal, cosines);
-  }
-
-  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
-
-  /// In place of the products of a smooth surface those of its bumps, for the lights that stand before it.  @eq IU.4.2.1
-  void bump(const MaterialBump& bump, const Facet& facet, const Vec3& point, const Vec3& normal,
-            std::vector<LightCosines>& cosines) const {
-    const Vec3 outward = facet.turned ? Vec3(-normal) : normal;
-    const Vec3 rough = shading_normal(bump, scene_.objects[facet.object].shape, point, outward);
-    const std::size_t smooth = cosines.size();
-    append(point, facet.turned ? Vec3(-rough) : rough, cosines);
-    for (std::size_t i = 0; i < smooth; ++i)
-      cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
-    cosines.resize(smooth);
   }
 
   /// Those between the corners of a facet.
@@ -123,14 +128,26 @@ class Shader {
   }
 
  private:
+  /// The normal of a bump. In place of the products of the smooth surface stand its own, for the lights that stand before both.
+  Vec3 bumped(const MaterialBump& bump, const Facet& facet, const Vec3& point, const Vec3& normal,
+              std::vector<LightCosines>& cosines) const {
+    const Vec3 outward = facet.turned ? Vec3(-normal) : normal;
+    const Vec3 rough = shading_normal(bump, scene_.objects[facet.object].shape, point, outward);
+    const Vec3 seen = facet.turned ? Vec3(-rough) : rough;
+    const std::size_t smooth = cosines.size();
+    append(point, seen, cosines);
+    for (std::size_t i = 0; i < smooth; ++i)
+      cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
+    cosines.resize(smooth);
+    return seen;
+  }
+
   void append(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
-    const Vec3 way = scene_.camera.eye - point;
-    const double length = way.norm();
-    const Vec3 to_viewer = length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
+    const Vec3 view = to_viewer(point);
     for (std::size_t i = 0; i < lights(); ++i) {
       const Vec3 to_light = directions_[i] ? directions_[i]->direction : towards(scene_.lights[i], point).to_light;
       // A point that is the light itself has none of it: it would come from everywhere.
-      cosines.push_back(to_light.isZero(0) ? LightCosines{} : light_cosines(normal, to_light, to_viewer));
+      cosines.push_back(to_light.isZero(0) ? LightCosines{} : light_cosines(normal, to_light, view));
     }
   }
 
@@ -153,7 +170,8 @@ class Picture {
       projection.project({projection.seen(corners[0], {1, 0, 0}), projection.seen(corners[1], {0, 1, 0}),
                           projection.seen(corners[2], {0, 0, 1})},
                          parts);
-      for (const auto& part : parts) seen_.push_back({part, static_cast<std::uint32_t>(f)});
+      const bool clear = shader_.material(facets_[f]).see_through.has_value();
+      for (const auto& part : parts) seen_.push_back({part, static_cast<std::uint32_t>(f), clear});
       shader_.prepare(facets_[f], colours_, cosines_);
     }
   }
@@ -166,16 +184,25 @@ class Picture {
     raster.look(window);
     std::vector<LightCosines> cosines;
     const double share = 1.0 / (n * n);
-    for (const SeenFacet& seen : seen_) {
-      const auto [high, low] =
-          std::minmax({seen.part[0].position.y(), seen.part[1].position.y(), seen.part[2].position.y()});
-      if (low >= window.first_row && high <= window.last_row) raster.draw(seen.part, seen.facet);
+    std::vector<Fragment> fragments;  // stays empty where nothing is transparent
+    for (const bool clear : {false, true}) {
+      for (const SeenFacet& seen : seen_) {
+        const auto [high, low] =
+            std::minmax({seen.part[0].position.y(), seen.part[1].position.y(), seen.part[2].position.y()});
+        if (seen.clear != clear || low < window.first_row || high > window.last_row) continue;
+        clear ? raster.collect(seen.part, seen.facet, fragments) : raster.draw(seen.part, seen.facet);
+      }
     }
+    sort_back_to_front(fragments);
     for (int row = first; row < last; ++row) {
       for (int column = 0; column < image.columns; ++column) {
         Rgb sum = Rgb::Zero();
         for (int down = 0; down < n; ++down) {
-          for (int across = 0; across < n; ++across) sum += at(raster, column * n + across, row * n + down, cosines);
+          for (int across = 0; across < n; ++across) {
+            const int x = column * n + across, y = row * n + down;
+            const Rgb drawn = at(raster, x, y, cosines);
+            sum += fragments.empty() ? drawn : through(fragments, raster.place(x, y), drawn, cosines);
+          }
         }
         image.at(column, row) = sum * share;
       }
@@ -186,14 +213,41 @@ class Picture {
   struct SeenFacet {
     std::array<GouraudVertex, 3> part;
     std::uint32_t facet;
+    bool clear;
   };
 
   Rgb at(const FacetRaster& raster, int column, int row, std::vector<LightCosines>& cosines) const {
     const std::uint32_t f = raster.facet(column, row);
-    if (f == kNoFacet) return scene_.background;
+    return f == kNoFacet ? scene_.background : shown(f, raster.weights(column, row), cosines);
+  }
+
+  /// What is seen through the fragments of a place, from the farthest to the nearest.               @eq IU.4.4a, IU.4.4b
+  Rgb through(const std::vector<Fragment>& fragments, std::size_t place, Rgb behind,
+              std::vector<LightCosines>& cosines) const {
+    const auto is_before = [](const Fragment& fragment, std::size_t at) { return fragment.place < at; };
+    for (auto next = std::lower_bound(fragments.begin(), fragments.end(), place, is_before);
+         next != fragments.end() && next->place == place; ++next) {
+      const Facet& facet = facets_[next->facet];
+      const Vec3 point = mixed(next->weights, facet.corners);
+      const Vec3 normal = options_.shading == Shading::flat ? facet.normal : normal_at(facet, next->weights);
+      // Averaged normals may lean away from the viewer; and unit vectors are rounded.
+      const double n_z = std::clamp(normal.dot(shader_.to_viewer(point)), 0.0, 1.0);
+      const double t = transparency(n_z, *shader_.material(facet).see_through);
+      behind = see_through(shown(next->facet, next->weights, cosines), behind, t);
+    }
+    return behind;
+  }
+
+  static Vec3 normal_at(const Facet& facet, const Eigen::Array3d& weights) {
+    const Vec3 sum = mixed(weights, facet.normals);
+    const double length = sum.norm();  // zero only half way between opposite normals
+    return length > 0 ? Vec3(sum / length) : facet.normal;
+  }
+
+  /// A facet's own colour at a point of it.
+  Rgb shown(std::uint32_t f, const Eigen::Array3d& weights, std::vector<LightCosines>& cosines) const {
     if (options_.shading == Shading::flat) return colours_[f];
     const Facet& facet = facets_[f];
-    const Eigen::Array3d& weights = raster.weights(column, row);
     if (options_.shading == Shading::gouraud) {
       const Rgb* corners = &colours_[std::size_t{3} * f];
       return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
@@ -201,14 +255,9 @@ class Picture {
     const Vec3 point = mixed(weights, facet.corners);
     if (options_.shading == Shading::dot) {
       shader_.mix(weights, cosines_.data() + 3 * shader_.lights() * f, cosines);
-    } else {
-      const Vec3 sum = mixed(weights, facet.normals);
-      const double length = sum.norm();  // zero only half way between opposite normals
-      const Vec3 normal = length > 0 ? Vec3(sum / length) : facet.normal;
-      shader_.see(point, normal, cosines);
-      if (const auto& bump = shader_.material(facet).bump) shader_.bump(*bump, facet, point, normal, cosines);
+      return shader_.reflected(facet, point, cosines);
     }
-    return shader_.reflected(facet, point, cosines);
+    return shader_.phong(facet, point, normal_at(facet, weights), cosines);
   }
 
   const Scene& scene_;
@@ -274,11 +323,14 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
 
 std::vector<std::string> left_out(const Scene& scene, Shading shading) {
   std::vector<std::string> all;
-  const std::string mirrors = materials_with(scene, [](const Material& m) { return m.k_r > 0 || m.fresnel; });
+  const std::string mirrors =
+      materials_with(scene, [](const Material& m) { return !m.environment && (m.k_r > 0 || m.fresnel); });
   const std::string clear = materials_with(scene, [](const Material& m) { return m.k_t > 0; });
   if (!mirrors.empty()) all.push_back("reflection (k_r of " + mirrors + ")");
   if (!clear.empty()) all.push_back("refraction (k_t of " + clear + ")");
   const std::string rough = materials_with(scene, [](const Material& m) { return m.bump.has_value(); });
+  const std::string mapped = materials_with(scene, [](const Material& m) { return m.environment != nullptr; });
+  if (!mapped.empty() && shading != Shading::phong) all.push_back("environments (of " + mapped + ")");
   if (!rough.empty() && shading != Shading::phong) all.push_back("bumps (of " + rough + ")");
   if (!scene.lights.empty()) all.emplace_back("shadows");
   const bool has_area = std::any_of(scene.lights.begin(), scene.lights.end(), [](const Light& light) {

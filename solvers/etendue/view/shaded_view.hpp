@@ -40,8 +40,11 @@ inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
 ///
 ///     I = E + local_reflection(N, V, lights)      N by `shading`, turned to the viewer's side with its facet
 ///
+/// A facet whose material has a law of see_through is seen through: I = (1 − t) I + t I_behind, pixel by pixel from the
+/// farthest to the nearest, t by the law from N·V. Both walls of a body count.                       @eq IU.4.4a, IU.4.4b
 /// Symbols   as for local_illumination(), which the ray tracer uses; a light with an area counts as its middle. Values are
-///           interpolated on the surface, so perspective does not bend them. Bumps turn N where `shading` is phong      @eq IU.4.2.1
+///           interpolated on the surface, so perspective does not bend them. Where `shading` is phong bumps turn N, and
+///           mirrored_environment() is added                                                   @eq IU.4.2.1, IU.4.1.3
 /// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1
 /// Returns   the same bits for any number of threads; what left_out() says is not in it
 /// Errors    those of camera_frame() and tessellated(); a picture that is too large; ErrorCode::stopped, between bands of rows
