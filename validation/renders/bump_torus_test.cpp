@@ -12,6 +12,7 @@
 #include "etendue/view/shaded_view.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
+#include "support/scene_builder.hpp"
 
 // Figure 23: a torus with bumps, beside the smooth one.
 namespace etendue::validation {
@@ -147,6 +148,39 @@ TEST(BumpTorus, LetsNoLightThrough) {
   EXPECT_TRUE(all_agree(drawn_leaks, surrounded));
   EXPECT_TRUE(all_agree(inside, mirrored));
   EXPECT_TRUE(holds(turned > 100 && behind > 1000)) << turned << " slopes would see the lamp through the ring";
+}
+
+// CLAIM      IU.4.2.1: heights stand on the side of the surface's own normal, also where it is seen from behind: hills of a polygon are hollows of the
+//            same polygon wound the other way round, by both methods.
+// ORACLE     metamorphic: the reversed polygon with the negative height.
+// TOLERANCE  of N·L and R·V, 14 u each, times what R·V to the power of 8 makes of it. The rasteriser cuts the reversed polygon into
+//            other triangles, whose corners are snapped to 1/4096 pixel: 0.15/8192 of a length, times slopes of intensity below 10.
+TEST(BumpTorus, TurnsHillsIntoHollowsBehind) {
+  proves({"IU.4.2.1"}, Oracle::metamorphic, "the reversed polygon with the negative height");
+  const auto pictures = [](bool reversed, double height) {
+    Scene scene;
+    scene.camera = straight(40, 30);
+    scene.lights = {PointLight{{2, -1, -1}, {0.8, 0.7, 0.6}}};
+    Material skin = diffuse(0.5);
+    skin.k_s = 0.4;
+    skin.phong_exponent = 8;
+    MaterialBump::Lay lay;
+    lay.size = 0.7;
+    skin.bump = MaterialBump{WaveRelief{height, 1, 1}, lay};
+    std::vector<Vec3> corners{{-3, -2, 3}, {3, -2, 3.5}, {3, 2, 3.5}, {-3, 2, 3}};
+    if (reversed) std::reverse(corners.begin(), corners.end());
+    add(scene, Polygon::make(corners).value(), skin);
+    return pictures_of(scene);
+  };
+  constexpr double kTolerance = 64 * 8 * 0x1p-53, kSnapping = 2e-4;
+  const Pictures hills = pictures(false, 0.05), hollows = pictures(true, -0.05), others = pictures(true, 0.05);
+  double apart = 0;
+  for (std::size_t i = 0; i < hills.traced.pixels.size(); ++i) {
+    EXPECT_TRUE(within((hills.traced.pixels[i] - hollows.traced.pixels[i]).abs().maxCoeff(), kTolerance));
+    EXPECT_TRUE(within((hills.drawn.pixels[i] - hollows.drawn.pixels[i]).abs().maxCoeff(), kSnapping));
+    apart = std::max(apart, (hills.traced.pixels[i] - others.traced.pixels[i]).abs().maxCoeff());
+  }
+  EXPECT_GT(apart, 0.1);
 }
 
 }  // namespace

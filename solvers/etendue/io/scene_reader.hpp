@@ -13,7 +13,7 @@ namespace etendue {
 /// A scene, and the fingerprint of the bytes it was read from.
 struct SceneFile {
   Scene scene;
-  std::vector<std::filesystem::path> files;  ///< all files read: what was asked for and what it includes
+  std::vector<std::filesystem::path> files;  ///< all files read: what was asked for, what it includes, then images
   std::vector<std::string> warnings;         ///< a line each, with its place, for what is odd and yet has a meaning
   std::string hash;  ///< 16 hex digits: FNV-1a (64 bit) over the bytes of all files read, in reading order
 };
