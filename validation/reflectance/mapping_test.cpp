@@ -3,8 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "etendue/geometry/meeting.hpp"
+#include "etendue/reflectance/surface_parameters.hpp"
 #include "optics/incidence.hpp"
 #include "support/evidence.hpp"
 
@@ -183,6 +189,209 @@ TEST(CubeMapping, LeadsToTheImageThatShowsTheDirection) {
     EXPECT_TRUE(near(at.at.v, static_cast<double>((1 + static_cast<Wide>(direction.dot(view.up)) / depth) / 2),
                      2 * kUnitRoundoff));
     EXPECT_TRUE(within((cube_direction(at) - direction / depth).norm(), 8 * kUnitRoundoff));
+  }
+}
+
+// CLAIM      IU.4-1: a box shows the pattern once on each face, upright and not mirrored as seen from outside; the places are those that points on the
+//            faces were made from, edges and corners included.
+// ORACLE     identity: the forward map of each face, written out; right × up points out of the box.
+// TOLERANCE  64 u.
+TEST(PatternMapping, ShowsThePatternOnEachFaceOfABox) {
+  proves({"IU.4-1"}, Oracle::identity, "forward maps of six faces on 9 x 9 points, ten frames");
+  Directions random(2604);
+  for (int turn = 0; turn < 10; ++turn) {
+    const PatternFrame frame = turn == 0 ? PatternFrame{} : random_frame(random);
+    const Vec3 x = frame.equator, y = frame.pole.cross(frame.equator), z = frame.pole, edges(0.5, 2, 3);
+    struct Face {
+      Vec3 out, right, up;
+      double depth, width, height;
+    };
+    const Face faces[] = {{x, y, z, 0.5, 2, 3},  {-x, -y, z, 0.5, 2, 3}, {y, -x, z, 2, 0.5, 3},
+                          {-y, x, z, 2, 0.5, 3}, {z, x, y, 3, 0.5, 2},   {-z, -x, y, 3, 0.5, 2}};
+    for (const Face& face : faces) {
+      EXPECT_TRUE(near((face.right.cross(face.up) - face.out).norm(), 0, 4 * kUnitRoundoff));
+      for (int i = 1; i < 8; ++i) {
+        for (int j = 1; j < 8; ++j) {
+          const double u = i / 8.0, v = j / 8.0;
+          const Vec3 point =
+              face.depth / 2 * face.out + (u - 0.5) * face.width * face.right + (v - 0.5) * face.height * face.up;
+          const CubePoint at = box_mapping(frame, point, edges);
+          EXPECT_TRUE(near(at.at.u, u, 64 * kUnitRoundoff));
+          EXPECT_TRUE(near(at.at.v, v, 64 * kUnitRoundoff));
+        }
+      }
+    }
+  }
+  const CubePoint corner = box_mapping({}, {1, 1, 1}, {2, 2, 2});
+  EXPECT_TRUE(holds(corner.face == CubeFace::right && corner.at.u == 1 && corner.at.v == 1));
+  EXPECT_TRUE(refuses([] { return box_mapping({}, {0, 0, 0}, {1, 1, 1}); }));
+  EXPECT_TRUE(refuses([] { return box_mapping({}, {1, 0, 0}, {1, 0, 1}); }));
+}
+
+/// Around a circle: 0.999 and 0.001 are near.
+double turned(double from, double to) {
+  const double away = to - from;
+  return away - std::round(away);
+}
+
+// CLAIM      IU.4-1: each mapping says by how much u and v change with the point; where it has no value, on axes and in middles, it still says a place.
+// ORACLE     closed form: differences of the mapping itself over 2^-16 of the distance, to second order.
+// TOLERANCE  the third derivatives of angles over a cube's distance: 16 (2^-16)² of the slope, and the rounding of places, 2^-48, over the step.
+TEST(PatternMapping, KnowsItsSlopes) {
+  proves({"IU.4-1"}, Oracle::metamorphic, "central differences, 4 x 500 points");
+  Directions random(2605);
+  for (int i = 0; i < 500; ++i) {
+    const PatternFrame frame = random_frame(random);
+    const Vec3 middle(random.uniform(-1, 1), 0.5, -2), edges(0.7, 1.1, 1.3);
+    for (const LaidPattern& laid :
+         {LaidPattern(LaidOnPlane{middle, frame, 0.3, 0.8}), LaidPattern(LaidOnCylinder{middle, frame, 2}),
+          LaidPattern(LaidOnSphere{middle, frame}), LaidPattern(LaidOnBox{middle, frame, edges})}) {
+      Vec3 from = random.unit();
+      if (frame.pole.cross(from).norm() < 0.25) from += 2 * frame.equator;
+      const double distance = random.uniform(0.5, 2);
+      const Vec3 point = middle + distance * from;
+      const PatternPlace place = place_in(laid, point);
+      const double step = 0x1p-16 * distance;
+      const Vec3 way = step * random.unit();
+      const PatternPoint before = place_in(laid, point - way).at, after = place_in(laid, point + way).at;
+      if (std::holds_alternative<LaidOnBox>(laid) && std::abs(after.u - before.u) > 0.01) continue;  // over an edge
+      const double tolerance = 0x1p-28 * 64 * step + 0x1p-46;
+      EXPECT_TRUE(within(std::abs(turned(before.u, after.u) / 2 - place.u_slope.dot(way)), tolerance)) << laid.index();
+      EXPECT_TRUE(within(std::abs((after.v - before.v) / 2 - place.v_slope.dot(way)), tolerance)) << laid.index();
+    }
+  }
+  for (const Vec3& on_axis : {Vec3(0, 0, 0), Vec3(0, 0, 2), Vec3(0, 0, -3)}) {
+    for (const LaidPattern& laid :
+         {LaidPattern(LaidOnCylinder{}), LaidPattern(LaidOnSphere{}), LaidPattern(LaidOnBox{})}) {
+      const PatternPlace place = place_in(laid, on_axis);
+      EXPECT_TRUE(holds(std::isfinite(place.at.u) && std::isfinite(place.at.v) && place.u_slope.allFinite() &&
+                        place.v_slope.allFinite()));
+    }
+  }
+}
+
+/// A surface by its parameters, shares of turns and heights, in long double where it matters: and as the shape that rays meet.
+struct Parametric {
+  std::string name;
+  std::function<Vec3(double, double)> at;
+  std::function<PatternPlace(const Ray&)> met;  // places of the shape's hits
+  bool u_turns, v_turns;
+};
+
+template <class Shape>
+std::function<PatternPlace(const Ray&)> places_on(const Shape& shape) {
+  return [shape](const Ray& ray) { return parameters(shape, intersect(ray, shape).value()); };
+}
+
+std::vector<Parametric> parametric_surfaces() {
+  std::vector<Parametric> all;
+  const auto around = [](const Vec3& axis, double u) -> Vec3 {
+    const TangentFrame frame = tangent_frame(axis);
+    return std::cos(2 * std::numbers::pi * u) * frame.u + std::sin(2 * std::numbers::pi * u) * frame.v;
+  };
+  const Vec3 centre(1, -2, 0.5), axis = Vec3(1, 2, 2) / 3;
+  all.push_back({"sphere",
+                 [=](double u, double v) -> Vec3 {
+                   return centre + 1.5 * sphere_normal({}, {u, v});
+                 },
+                 places_on(Sphere{centre, 1.5}), true, false});
+  all.push_back({"cylinder", [=](double u, double v) -> Vec3 { return centre + 2 * v * axis + 0.5 * around(axis, u); },
+                 places_on(Cylinder{centre, centre + 2 * axis, 0.5}), true, false});
+  all.push_back({"cone",
+                 [=](double u, double v) -> Vec3 { return centre + 2 * v * axis + (1 - 0.75 * v) * around(axis, u); },
+                 places_on(Cone{centre, centre + 2 * axis, 1, 0.25}), true, false});
+  all.push_back({"torus",
+                 [=](double u, double v) -> Vec3 {
+                   const double tube = 2 * std::numbers::pi * v;
+                   return centre + (2 + 0.5 * std::cos(tube)) * around(axis, u) + 0.5 * std::sin(tube) * axis;
+                 },
+                 places_on(Torus{centre, axis, 2, 0.5}), true, true});
+  all.push_back({"disc",
+                 [=](double u, double v) -> Vec3 {
+                   const TangentFrame frame = tangent_frame(axis);
+                   return centre + 2 * ((2 * u - 1) * frame.u + (2 * v - 1) * frame.v);
+                 },
+                 places_on(Disc{centre, axis, 2}), false, false});
+  const Vec3 p(0, 0, 0), q(2, 1, 0), r(0.5, 2, 1);
+  all.push_back({"parallelogram", [=](double u, double v) -> Vec3 { return p + u * (q - p) + v * (r - p); },
+                 places_on(Polygon::make({p, q, q + r, r}).value()), false, false});
+  BezierSurface surface;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j)
+      surface.control[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = {i + 0.2 * j, j - 0.1 * i * i,
+                                                                                   0.3 * i * (3 - i) * (j - 1)};
+  }
+  const auto bernstein = [](int i, double t) {
+    constexpr double kBinomial[] = {1, 3, 3, 1};
+    return kBinomial[i] * std::pow(t, i) * std::pow(1 - t, 3 - i);
+  };
+  all.push_back({"Bezier surface",
+                 [=](double u, double v) -> Vec3 {
+                   Vec3 sum = Vec3::Zero();
+                   for (int i = 0; i < 4; ++i) {
+                     for (int j = 0; j < 4; ++j)
+                       sum += bernstein(i, u) * bernstein(j, v) *
+                              surface.control[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+                   }
+                   return sum;
+                 },
+                 places_on(surface), false, false});
+  // A mesh with coordinates of its own: u, v of a skewed map, (0.1, 0.2) + 0.5 s (1, 0.5) + 0.5 t (−0.25, 1).
+  Mesh mesh{{p, q, q + r, r}, {{0, 1, 2}, {0, 2, 3}}, {{0.1, 0.2}, {0.6, 0.45}, {0.475, 0.95}, {-0.025, 0.7}}};
+  const auto on_mesh = [=](double u, double v) -> Vec3 {
+    // The inverse of that map, by Cramer's rule: determinant of ((0.5, −0.125), (0.25, 0.5)).
+    const double a = u - 0.1, b = v - 0.2, size = 0.25 + 0.03125;
+    const double s = (0.5 * a + 0.125 * b) / size, t = (0.5 * b - 0.25 * a) / size;
+    return p + s * (q - p) + t * (r - p);
+  };
+  all.push_back({"mesh", on_mesh,
+                 [mesh](const Ray& ray) {
+                   for (std::size_t part = 0; part < 2; ++part) {
+                     if (const auto hit = intersect(ray, mesh.triangle(part))) return parameters(mesh, *hit, part);
+                   }
+                   throw std::runtime_error("the mesh was missed");
+                 },
+                 false, false});
+  return all;
+}
+
+// CLAIM      IU.4.1.2: a ray that meets a sphere, cylinder, cone, torus, disc, polygon, Bézier surface or mesh where it was made from (u, v) finds these in the
+//            pattern, on a dense grid beside seams and poles; and the slopes are those of the surface: P_u·∇u = 1, P_v·∇u = 0 and so on.
+// ORACLE     identity: the forward map of each surface, written out, and its differences.
+// TOLERANCE  places: 2^-40 (rays of length 1 from points a few units away, hits within 2^-44 of their size, and a hundredth of a turn's radius at
+//            least). Slopes: second differences over 2^-14 of smooth maps, 2^-18.
+TEST(PatternMapping, FollowsTheParametersOfSurfaces) {
+  proves({"IU.4.1.2"}, Oracle::identity, "eight forward maps on 29 x 29 points and beside their edges");
+  std::vector<double> grid{1e-3, 1 - 1e-3};
+  for (int i = 1; i < 28; ++i) grid.push_back(i / 28.0);
+  for (const Parametric& surface : parametric_surfaces()) {
+    for (const double s : grid) {
+      for (const double t : grid) {
+        // Of the mesh the middle; a disc ends on its circle.
+        const bool is_mesh = surface.name == "mesh", is_disc = surface.name == "disc";
+        const double u = is_mesh ? 0.15 + 0.25 * s : is_disc ? 0.5 + 0.7 * (s - 0.5) : s;
+        const double v = is_mesh ? 0.4 + 0.25 * t : is_disc ? 0.5 + 0.7 * (t - 0.5) : t;
+        const Vec3 point = surface.at(u, v);
+        constexpr double kStep = 0x1p-14;
+        const Vec3 along_u = (surface.at(u + kStep, v) - surface.at(u - kStep, v)) / (2 * kStep);
+        const Vec3 along_v = (surface.at(u, v + kStep) - surface.at(u, v - kStep)) / (2 * kStep);
+        const Vec3 normal = along_u.cross(along_v).normalized();
+        Ray ray;
+        ray.origin = point + 0.125 * normal;
+        ray.direction = -normal;
+        const PatternPlace place = surface.met(ray);
+        const double off_u = surface.u_turns ? turned(place.at.u, u) : place.at.u - u;
+        const double off_v = surface.v_turns ? turned(place.at.v, v) : place.at.v - v;
+        EXPECT_TRUE(within(std::abs(off_u), 0x1p-40)) << surface.name << ' ' << u << ' ' << v;
+        EXPECT_TRUE(within(std::abs(off_v), 0x1p-40)) << surface.name << ' ' << u << ' ' << v;
+        EXPECT_TRUE(near(place.u_slope.dot(along_u), 1, 0x1p-18)) << surface.name << ' ' << u << ' ' << v;
+        EXPECT_TRUE(near(place.v_slope.dot(along_v), 1, 0x1p-18)) << surface.name;
+        EXPECT_TRUE(near(place.u_slope.dot(along_v), 0, 0x1p-18 * place.u_slope.norm() * along_v.norm()))
+            << surface.name;
+        EXPECT_TRUE(near(place.v_slope.dot(along_u), 0, 0x1p-18 * place.v_slope.norm() * along_u.norm()))
+            << surface.name;
+      }
+    }
   }
 }
 

@@ -13,6 +13,7 @@ namespace etendue {
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Vec2> texture = {};  ///< u, v of each vertex in a pattern; or none
 
   Triangle triangle(std::size_t index) const {
     const auto& corner = triangles[index];

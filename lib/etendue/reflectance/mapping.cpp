@@ -89,6 +89,24 @@ CubePoint cube_mapping(const Vec3& direction) {
   return {face, {0.5 * (1 + direction.dot(view.right) / depth), 0.5 * (1 + direction.dot(view.up) / depth)}};
 }
 
+CubeView outside_view(CubeFace face) {
+  const CubeView inside = cube_view(face);
+  const bool level = face == CubeFace::top || face == CubeFace::bottom;
+  const Vec3 up = level ? Vec3(Vec3::UnitY()) : inside.up;
+  return {inside.gaze, up.cross(inside.gaze), up};
+}
+
+CubePoint box_mapping(const PatternFrame& frame, const Vec3& point, const Vec3& edges) {
+  require_frame(frame);
+  require(edges.allFinite() && (edges.array() > 0).all(), "box_mapping: edges are positive");
+  const Vec3 third = frame.pole.cross(frame.equator);
+  const Vec3 q = Vec3(frame.equator.dot(point), third.dot(point), frame.pole.dot(point)).cwiseQuotient(edges / 2);
+  const CubeFace face = cube_mapping(q).face;
+  const CubeView view = outside_view(face);
+  const double depth = q.dot(view.gaze);
+  return {face, {0.5 * (1 + q.dot(view.right) / depth), 0.5 * (1 + q.dot(view.up) / depth)}};
+}
+
 Vec3 cube_direction(const CubePoint& point) {
   const CubeView view = cube_view(point.face);
   return view.gaze + (2 * point.at.u - 1) * view.right + (2 * point.at.v - 1) * view.up;

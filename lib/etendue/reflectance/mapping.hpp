@@ -83,4 +83,18 @@ struct CubePoint {
 /// A vector (not of unit length) in the direction that a place in an image shows.
 [[nodiscard]] Vec3 cube_direction(const CubePoint& point);
 
+/// Mapping of a box around the origin: each face shows the whole pattern, upright on the four sides as seen from outside
+/// with T_p up, on top and bottom with T_p × T_e up.                                                        @eq IU.4-1
+///
+///     q = (T_e·p, (T_p × T_e)·p, T_p·p) in half edges; the face of q's largest component, as cube_mapping() finds it;
+///     u = ½ (1 + q·right / q·out),   v = ½ (1 + q·up / q·out)
+///
+/// Domain    edges > 0 [length]; p not the origin. On other surfaces than the box itself, which it is projected onto from the
+///           middle, the pattern is continuous on each face
+/// Errors    ContractViolation outside the domain
+[[nodiscard]] CubePoint box_mapping(const PatternFrame& frame, const Vec3& point, const Vec3& edges);
+
+/// What is right and up on a face as seen from outside; gaze points out of the box.
+[[nodiscard]] CubeView outside_view(CubeFace face);
+
 }  // namespace etendue

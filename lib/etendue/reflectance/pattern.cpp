@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/reflectance/pattern.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "etendue/geometry/meeting.hpp"
+#include "etendue/reflectance/noise.hpp"
 
 namespace etendue {
 
@@ -28,6 +31,18 @@ double share(const Wood& wood, const Vec3& point) {
   const double rings = out.norm() / wood.ring + kCrooked * bend;
   const double within = rings - std::floor(rings);
   return within * within;
+}
+
+double share(const Noise& noise, const Vec3& point) {
+  return std::clamp(0.5 + fractal_noise((point - noise.origin) / noise.size, noise.octaves, noise.seed), 0.0, 1.0);
+}
+
+double share(const Marble& marble, const Vec3& point) {
+  const Vec3 from = (point - marble.origin) / marble.size;
+  double layers = marble.axis.dot(from);
+  if (marble.turbulence != 0) layers += marble.turbulence * fractal_noise(from, marble.octaves, marble.seed);
+  const double vein = 0.5 + 0.5 * std::cos(2 * std::numbers::pi * (layers - std::floor(layers)));
+  return vein * vein * vein * vein;
 }
 
 }  // namespace

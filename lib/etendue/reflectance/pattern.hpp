@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <variant>
 
 #include "etendue/geometry/vector.hpp"
@@ -29,11 +30,35 @@ struct Wood {
   double ring = 1;
 };
 
-using Pattern = std::variant<Checkerboard, Wood>;
+/// Clouds: share of the second colour = ½ + fractal_noise((p − o)/a), cut to [0, 1].                            @eq IU.4-1
+///
+/// Symbols   a the size of the largest clouds, half of it that of the next octave's
+struct Noise {
+  Vec3 origin = Vec3::Zero();
+  double size = 1;
+  int octaves = 4;
+  std::uint64_t seed = 0;
+};
+
+/// Layers of stone, crumpled, with thin veins of the second colour.                                          @eq IU.4-1
+///
+///     x = A·(p − o)/a + s fractal_noise((p − o)/a);   share of the second colour = (½ + ½ cos 2πx)⁴
+///
+/// Symbols   A unit vector across the layers, a the distance of their veins; s how far the stone is crumpled, in veins
+struct Marble {
+  Vec3 origin = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();
+  double size = 1;
+  double turbulence = 1;
+  int octaves = 4;
+  std::uint64_t seed = 0;
+};
+
+using Pattern = std::variant<Checkerboard, Wood, Noise, Marble>;
 
 /// How much of the second of two colours a pattern shows at a point: 0 to 1.
 ///
-/// Domain    u, v and the axis unit vectors, lengths positive
+/// Domain    u, v and the axes unit vectors, lengths positive, octaves in [1, kMostOctaves]
 /// Accuracy  a point within rounding of the line between two squares, or of the end of a ring, may count to either
 [[nodiscard]] double second_share(const Pattern& pattern, const Vec3& point);
 
