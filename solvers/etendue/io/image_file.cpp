@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 2^28 pixels: 6 GiB of doubles. What a corrupt header claims is refused before it is allocated.
-constexpr long long kMostPixels = 1LL << 28;
 /// Of a pixel: colours, and what a renderer tells besides.
 constexpr int kMostChannels = 64;
 
@@ -98,15 +96,18 @@ struct Picture {
   std::vector<float> samples;
   std::vector<std::string> names;
   ImageMetadata metadata;
+  long long most_pixels = kMostImagePixels;
 };
 
 float* allocate(void* context, int columns, int rows, int channels) {
   const long long pixels = static_cast<long long>(columns) * rows;
-  if (columns < 1 || rows < 1 || channels < 1 || channels > kMostChannels || pixels > kMostPixels) return nullptr;
   auto& picture = *static_cast<Picture*>(context);
   picture.columns = columns;
   picture.rows = rows;
   picture.channels = channels;
+  if (columns < 1 || rows < 1 || channels < 1 || channels > kMostChannels || pixels > picture.most_pixels) {
+    return nullptr;
+  }
   try {
     picture.samples.resize(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(channels));
   } catch (const std::bad_alloc&) {  // must not cross the C interface
@@ -132,7 +133,7 @@ bool keep_bytes(void* context, const unsigned char* bytes, unsigned long long co
   return true;
 }
 
-Result<Picture> read_picture(const fs::path& path) {
+Result<Picture> read_picture(const fs::path& path, long long most_pixels = kMostImagePixels) {
   const auto format = format_of(path);
   if (!format) return unknown_format(path);
   std::error_code error;
@@ -144,9 +145,15 @@ Result<Picture> read_picture(const fs::path& path) {
   auto module = image_module();
   if (!module) return module.error();
   Picture picture;
+  picture.most_pixels = most_pixels;
   std::array<char, 400> reason{};
   const bool read = (*module)->read(path.c_str(), reader_name(*format), &picture, allocate, keep_name, keep_attribute,
                                     reason.data(), static_cast<int>(reason.size()));
+  const bool too_large = static_cast<long long>(picture.columns) * picture.rows > most_pixels;
+  if (too_large && most_pixels < kMostImagePixels) {
+    return unfit(path, "found " + std::to_string(picture.columns) + " × " + std::to_string(picture.rows) +
+                           " pixels, expected at most " + std::to_string(most_pixels));
+  }
   if (!read) return failure("read", path, reason.data());
   return picture;
 }
@@ -212,8 +219,8 @@ Result<NewFile> encode_image(const fs::path& path, const Image& image, const Ima
   return file;
 }
 
-Result<Image> read_image(const fs::path& path) {
-  auto picture = read_picture(path);
+Result<Image> read_image(const fs::path& path, long long most_pixels) {
+  auto picture = read_picture(path, most_pixels);
   if (!picture) return picture.error();
   const auto channels = static_cast<std::size_t>(picture->channels);
   const bool coloured = channels >= 3;  // otherwise grey, perhaps with alpha

@@ -21,6 +21,9 @@ struct ImageChannel {
   std::vector<float> values;
 };
 
+/// 2^28 pixels: 6 GiB of doubles. What a corrupt header claims is refused before it is allocated.
+inline constexpr long long kMostImagePixels = 1LL << 28;
+
 /// Writes a picture, complete or not at all (write_file()).
 ///
 ///     .exr   linear, 32-bit float, ZIP-compressed; each value rounded to the nearest float; metadata as attributes
@@ -46,7 +49,8 @@ struct ImageChannel {
 
 /// Reads what write_image() wrote, or any other RGB (or grey, or RGBA without its alpha) .exr or .png; a PNG's values
 /// are decoded to linear. The content must be of the kind that the extension says.
-[[nodiscard]] Result<Image> read_image(const std::filesystem::path& path);
+/// Errors    usage, input_output; invalid_input: more than `most_pixels`, whose memory is not asked for
+[[nodiscard]] Result<Image> read_image(const std::filesystem::path& path, long long most_pixels = kMostImagePixels);
 
 /// The channels of a picture after red, green and blue (or grey, or before, as the file has them), in the file's order.
 [[nodiscard]] Result<std::vector<ImageChannel>> read_image_channels(const std::filesystem::path& path);

@@ -5,6 +5,7 @@
 
 #include "etendue/io/bump_reader.hpp"
 #include "etendue/optics/frost.hpp"
+#include "etendue/reflectance/noise.hpp"
 #include "etendue/text/number_text.hpp"
 
 namespace etendue {
@@ -112,27 +113,54 @@ Vec3 unit(const SceneNode& node, const char* key, const Vec3& otherwise) {
 /// Across: two edges of a square must not lie along one line. The sine that directions of a few digits leave.
 constexpr double kLeastSine = 1e-6;
 
-std::optional<MaterialPattern> read_pattern(const SceneNode& node, double scale) {
+constexpr Interval kTurbulence{0, 1e3};
+
+int octaves(const SceneNode& node) {
+  const auto member = node.member("octaves");
+  const auto count = member ? member->integer(1, kMostOctaves) : std::nullopt;
+  return count ? static_cast<int>(*count) : Noise{}.octaves;
+}
+
+/// Of a type that is known; of others all keys were looked at.
+Pattern read_form(const SceneNode& node, const std::string& type, double scale) {
+  const Vec3 origin = point(node, "origin", scale), axis = unit(node, "axis", Vec3::UnitZ());
+  const double size = scale * number(node, "size", kPositive, 1);
+  if (type == "wood") return Wood{origin, axis, scale * number(node, "ring", kPositive, 1)};
+  if (type == "noise") return Noise{origin, size, octaves(node), read_seed(node)};
+  if (type == "marble") {
+    const double turbulence = number(node, "turbulence", kTurbulence, Marble{}.turbulence);
+    return Marble{origin, axis, size, turbulence, octaves(node), read_seed(node)};
+  }
+  const Vec3 u = unit(node, "u", Vec3::UnitX()), v = unit(node, "v", Vec3::UnitY());
+  if (!(u.cross(v).norm() > kLeastSine)) {
+    node.complain("found \"u\" along \"v\", expected the directions of two edges of a square");
+  }
+  return Checkerboard{origin, u, v, size};
+}
+
+/// A second colour and where it shows, or a texture.
+void read_pattern(const SceneNode& node, double scale, TextureFiles& textures, Material& material) {
   const auto type = node.kind(pattern_types());
-  if (!node.is(type ? keys_of(*type + "_pattern") : keys_of_any({"checkerboard_pattern", "wood_pattern"})))
-    return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::string& each : pattern_types()) names.push_back(each + "_pattern");
+  if (!node.is(type ? keys_of(*type + "_pattern") : keys_of_any(names))) return;
+  if (type && (*type == "image" || *type == "squares")) {
+    material.texture = read_texture(node, *type, scale, textures);
+    return;
+  }
   MaterialPattern pattern;
   pattern.k_d = colour(node, "k_d", kFraction, Rgb::Zero());
   pattern.k_a = colour(node, "k_a", kFraction, pattern.k_d);
-  const Vec3 origin = point(node, "origin", scale);
-  const double size = scale * number(node, "size", kPositive, 1), ring = scale * number(node, "ring", kPositive, 1);
-  const Vec3 u = unit(node, "u", Vec3::UnitX()), v = unit(node, "v", Vec3::UnitY());
-  const Vec3 axis = unit(node, "axis", Vec3::UnitZ());
-  if (!type) return std::nullopt;
-  if (*type == "checkerboard" && !(u.cross(v).norm() > kLeastSine)) {
-    node.complain("found \"u\" along \"v\", expected the directions of two edges of a square");
+  if (!type) {  // whatever it may be: its numbers, once each
+    (void)read_form(node, "checkerboard", scale);
+    (void)number(node, "ring", kPositive, 1);
+    (void)number(node, "turbulence", kTurbulence, 1);
+    (void)octaves(node);
+    (void)read_seed(node);
+    return;
   }
-  if (*type == "checkerboard") {
-    pattern.pattern = Checkerboard{origin, u, v, size};
-  } else {
-    pattern.pattern = Wood{origin, axis, ring};
-  }
-  return pattern;
+  pattern.pattern = read_form(node, *type, scale);
+  material.pattern = pattern;
 }
 
 int read_samples(const SceneNode& node) {
@@ -177,7 +205,7 @@ std::optional<TransparencyLaw> read_see_through(const SceneNode& node) {
 
 }  // namespace
 
-Material read_material(const SceneNode& node, const std::string& name, double scale) {
+Material read_material(const SceneNode& node, const std::string& name, double scale, TextureFiles& textures) {
   Material material;
   material.name = name;
   if (!node.is(keys_of("material"))) return material;
@@ -190,7 +218,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   read_inside(node, scale, material);
   material.rho = colour(node, "rho", kReflectance, material.k_d);
   material.emission = colour(node, "emission", kNonNegative, Rgb::Zero());
-  if (const auto pattern = node.member("pattern")) material.pattern = read_pattern(*pattern, scale);
+  if (const auto pattern = node.member("pattern")) read_pattern(*pattern, scale, textures, material);
   if (const auto law = node.member("see_through")) material.see_through = read_see_through(*law);
   if (const auto bump = node.member("bump")) material.bump = read_bump(*bump, scale);
   if (material.k_r + material.k_t > 1) {

@@ -41,6 +41,22 @@ bool read_faces(const SceneNode& faces, std::size_t corners, std::size_t vertice
   return sound;
 }
 
+bool read_texture_coordinates(const SceneNode& node, std::size_t vertices, Mesh& mesh) {
+  const auto places = node.items(1, kMostVertices, "pairs of numbers");
+  for (const SceneNode& place : places) {
+    const auto pair = place.items(2, 2, "numbers");
+    if (pair.size() != 2) continue;
+    const auto u = pair[0].number(kAnyNumber), v = pair[1].number(kAnyNumber);
+    if (u && v) mesh.texture.emplace_back(*u, *v);
+  }
+  if (!places.empty() && places.size() != vertices) {
+    node.complain("found " + std::to_string(places.size()) + " pairs of numbers, expected one for each of the " +
+                  std::to_string(vertices) + " vertices");
+    return false;
+  }
+  return mesh.texture.size() == places.size() && !places.empty();
+}
+
 }  // namespace
 
 std::optional<std::vector<Vec3>> read_vertices(const SceneNode& node, std::size_t fewest, std::size_t most) {
@@ -70,7 +86,10 @@ std::optional<Mesh> read_mesh(const SceneNode& node) {
   if (points) mesh.vertices = std::move(*points);
   const bool sound_triangles = !triangles || read_faces(*triangles, 3, count, mesh);
   const bool sound_quads = !quads || read_faces(*quads, 4, count, mesh);
-  const bool sound = !mesh.vertices.empty() && !mesh.triangles.empty() && sound_triangles && sound_quads;
+  const auto texture = node.member("texture");
+  const bool sound_texture = !texture || read_texture_coordinates(*texture, written, mesh);
+  const bool sound =
+      !mesh.vertices.empty() && !mesh.triangles.empty() && sound_triangles && sound_quads && sound_texture;
   return sound ? std::optional(std::move(mesh)) : std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/scene_assembly.hpp"
 
+#include <Eigen/LU>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -22,11 +23,12 @@ constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 
 class Assembly {
  public:
-  Assembly(const LoadedFiles& files, EnvironmentFiles& environments, SceneErrors& errors)
-      : files_(files), environments_(environments), errors_(errors) {}
+  Assembly(const LoadedFiles& files, TextureFiles& textures, EnvironmentFiles& environments, SceneErrors& errors)
+      : files_(files), textures_(textures), environments_(environments), errors_(errors) {}
 
   Scene build() {
     for (const LoadedFile& file : files_.files) {
+      textures_.look_in(std::filesystem::path(file.name).parent_path());
       environments_.look_in(std::filesystem::path(file.name).parent_path());
       if (file.sound) read_materials(node_of(file), scale_of(file));
     }
@@ -54,7 +56,7 @@ class Assembly {
       if (!material_index_.emplace(name, scene_.materials.size()).second) {
         node.complain("found a material of a name that an included file has taken, expected another name");
       }
-      scene_.materials.push_back(read_material(node, name, scale));
+      scene_.materials.push_back(read_material(node, name, scale, textures_));
       if (const auto images = node.member("environment")) read_environment(*images, scene_.materials.back());
     }
   }
@@ -149,9 +151,10 @@ class Assembly {
                     " u and v of its own");
     }
     const auto caps = closed ? caps_of(*shape) : std::vector<Cap>{};
-    scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where(), velocity});
+    const OwnCoordinates own = own_coordinates(placement);
+    scene_.objects.push_back({name, std::move(*shape), *material, subdivision, node.where(), velocity, own});
     for (const Cap& cap : caps) {
-      scene_.objects.push_back({name + "/" + cap.end, cap.disc, *material, subdivision, node.where(), velocity});
+      scene_.objects.push_back({name + "/" + cap.end, cap.disc, *material, subdivision, node.where(), velocity, own});
     }
   }
 
@@ -165,6 +168,11 @@ class Assembly {
     (void)read_subdivision(node);
     read_numbers_of_shapes(node);
     if (const auto children = node.member("children")) read_objects(*children, outer, prefix);
+  }
+
+  /// The way back, but in lengths of the scene, whatever the unit of the file.
+  OwnCoordinates own_coordinates(const Placement& placement) const {
+    return {file_scale_ * placement.linear.inverse(), placement.offset};
   }
 
   /// In the coordinates of the object's own numbers: turned and scaled with them.
@@ -219,6 +227,7 @@ class Assembly {
   }
 
   const LoadedFiles& files_;
+  TextureFiles& textures_;
   EnvironmentFiles& environments_;
   SceneErrors& errors_;
   Scene scene_;
@@ -229,8 +238,9 @@ class Assembly {
 
 }  // namespace
 
-Scene assemble_scene(const LoadedFiles& files, EnvironmentFiles& environments, SceneErrors& errors) {
-  return Assembly(files, environments, errors).build();
+Scene assemble_scene(const LoadedFiles& files, TextureFiles& textures, EnvironmentFiles& environments,
+                     SceneErrors& errors) {
+  return Assembly(files, textures, environments, errors).build();
 }
 
 }  // namespace etendue

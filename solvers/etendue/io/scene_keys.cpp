@@ -47,6 +47,17 @@ const std::vector<KeySet>& scene_key_sets() {
       {"sellmeier", {"strength", "resonance"}, {"comment"}},
       {"checkerboard_pattern", {"type", "k_d", "size"}, {"comment", "k_a", "origin", "u", "v"}},
       {"wood_pattern", {"type", "k_d", "ring"}, {"comment", "k_a", "origin", "axis"}},
+      {"noise_pattern", {"type", "k_d", "size"}, {"comment", "k_a", "origin", "octaves", "seed"}},
+      {"marble_pattern",
+       {"type", "k_d", "size"},
+       {"comment", "k_a", "origin", "axis", "turbulence", "octaves", "seed"}},
+      {"squares_pattern", {"type"}, {"comment", "columns", "rows", "seed", "mapping", "tiles"}},
+      {"image_pattern", {"type", "file"}, {"comment", "wrap", "mapping", "tiles"}},
+      {"parameters_mapping", {"type"}, {"comment"}},
+      {"plane_mapping", {"type", "width"}, {"comment", "height", "origin", "pole", "equator"}},
+      {"cylinder_mapping", {"type", "height"}, {"comment", "origin", "pole", "equator"}},
+      {"sphere_mapping", {"type"}, {"comment", "centre", "pole", "equator"}},
+      {"box_mapping", {"type", "size"}, {"comment", "centre", "pole", "equator"}},
       {"waves_bump", {"type", "height", "waves"}, {"comment", "origin", "u", "v", "size"}},
       {"table_bump", {"type", "heights"}, {"comment", "height", "repeat", "edges", "origin", "u", "v", "size"}},
       {"rough_bump", {"type", "height", "cells"}, {"comment", "seed", "origin", "u", "v", "size"}},
@@ -65,7 +76,7 @@ const std::vector<KeySet>& scene_key_sets() {
       shape("quadric", {"squares", "constant"}, {"products", "linear", "low", "high", "centre", "size"}),
       shape("bezier", {"control"}),
       shape("box", {}, {"low", "high", "centre", "size"}),
-      shape("mesh", {"vertices"}, {"triangles", "quads"}),
+      shape("mesh", {"vertices"}, {"triangles", "quads", "texture"}),
       {"group", {"type", "children"}, {"comment", "name", "transform", "velocity"}},
       {"translate", {"translate"}, {"comment"}},
       {"rotate", {"rotate"}, {"comment"}},
@@ -100,7 +111,12 @@ const Keys& object_types() {
 }
 
 const Keys& pattern_types() {
-  static const Keys types{"checkerboard", "wood"};
+  static const Keys types{"checkerboard", "wood", "noise", "marble", "squares", "image"};
+  return types;
+}
+
+const Keys& mapping_types() {
+  static const Keys types{"parameters", "plane", "cylinder", "sphere", "box"};
   return types;
 }
 

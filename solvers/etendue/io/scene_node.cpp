@@ -41,9 +41,15 @@ std::string located(const std::string& name, const Place& place, const std::stri
 
 }  // namespace
 
-void SceneErrors::add(std::size_t file, const std::string& name, const JsonProblem& problem) {
+void SceneErrors::add(std::size_t file, const std::string& name, const JsonProblem& problem, ErrorCode code) {
   entries_.push_back(
-      {file, problem.place, located(name, problem.place, problem.pointer) + ": " + printable(problem.message)});
+      {file, problem.place, located(name, problem.place, problem.pointer) + ": " + printable(problem.message), code});
+}
+
+ErrorCode SceneErrors::code() const {
+  const bool files_only = std::all_of(entries_.begin(), entries_.end(),
+                                      [](const Entry& entry) { return entry.code == ErrorCode::input_output; });
+  return files_only && !entries_.empty() ? ErrorCode::input_output : ErrorCode::invalid_input;
 }
 
 void SceneErrors::warn(std::size_t file, const std::string& name, const JsonProblem& problem) {
@@ -104,6 +110,10 @@ void SceneNode::warn(const std::string& message) const {
 
 void SceneNode::expected(const std::string& what) const {
   complain("found " + describe(*json_) + ", expected " + what);
+}
+
+void SceneNode::cannot_be_read(const std::string& message) const {
+  errors_->add(file_, *name_, {json_->place, pointer_, message + of_object()}, ErrorCode::input_output);
 }
 
 bool SceneNode::is_object() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "etendue/core/result.hpp"
 #include "etendue/io/json_tree.hpp"
 #include "etendue/io/scene_keys.hpp"
 #include "etendue/scene/scene.hpp"
@@ -18,8 +19,11 @@ inline constexpr double kLargestNumber = 1e50;
 class SceneErrors {
  public:
   /// `file` counts in reading order; `name` is how messages call it.
-  void add(std::size_t file, const std::string& name, const JsonProblem& problem);
+  void add(std::size_t file, const std::string& name, const JsonProblem& problem,
+           ErrorCode code = ErrorCode::invalid_input);
   std::size_t count() const { return entries_.size(); }
+  /// invalid_input, unless nothing is wrong but files that cannot be read.
+  ErrorCode code() const;
   /// One line each, and a last line with their number.
   std::string text() const;
 
@@ -32,6 +36,7 @@ class SceneErrors {
     std::size_t file;
     Place place;
     std::string line;
+    ErrorCode code = ErrorCode::invalid_input;
   };
   static std::vector<std::string> in_order(std::vector<Entry> entries);
 
@@ -72,6 +77,8 @@ class SceneNode {
 
   /// Reports "found <this value>, expected …" here.
   void expected(const std::string& what) const;
+  /// Reports that the file named here cannot be read, in the words of who tried: an error of input.
+  void cannot_be_read(const std::string& message) const;
   /// Reports any other sentence here.
   void complain(const std::string& message) const;
   /// The same for what is no error.

@@ -13,10 +13,12 @@ Result<SceneFile> read_scene(const std::filesystem::path& path) {
   SceneFile result;
   for (const LoadedFile& file : files->files) result.files.emplace_back(file.name);
   Fingerprint fingerprint = files->fingerprint;
+  TextureFiles textures(fingerprint);
   EnvironmentFiles environments(fingerprint);
-  result.scene = assemble_scene(*files, environments, errors);
-  if (errors.count() > 0) return Error{ErrorCode::invalid_input, errors.text()};
-  result.files.insert(result.files.end(), environments.files().begin(), environments.files().end());
+  result.scene = assemble_scene(*files, textures, environments, errors);
+  if (errors.count() > 0) return Error{errors.code(), errors.text()};
+  for (const auto* images : {&textures.files(), &environments.files()})
+    result.files.insert(result.files.end(), images->begin(), images->end());
   result.hash = fingerprint.hex();
   result.warnings = errors.warnings();
   return result;

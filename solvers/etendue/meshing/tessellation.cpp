@@ -11,6 +11,7 @@
 #include "etendue/core/contract.hpp"
 #include "etendue/geometry/meeting.hpp"
 #include "etendue/geometry/predicates.hpp"
+#include "etendue/reflectance/surface_parameters.hpp"
 #include "etendue/text/utf8.hpp"
 
 namespace etendue {
@@ -23,9 +24,10 @@ constexpr double kSharp = 0;
 enum class Ends { open, closed };
 
 /// A net of (columns + 1) × (rows + 1) points, the last column or row being the first again where closed. Triangles
-/// with two equal corners (at poles) are left out.
-Mesh net(int columns, int rows, Ends around, Ends along, const std::function<Vec3(int, int)>& point) {
-  Mesh mesh;
+/// with two equal corners (at poles) are left out. Parameters are shares of the columns and rows.
+Tessellation net(int columns, int rows, Ends around, Ends along, const std::function<Vec3(int, int)>& point) {
+  Tessellation result{{}, kSmooth};
+  Mesh& mesh = result.mesh;
   const int across = around == Ends::closed ? columns : columns + 1, down = along == Ends::closed ? rows : rows + 1;
   for (int j = 0; j < down; ++j) {
     for (int i = 0; i < across; ++i) mesh.vertices.push_back(point(i, j));
@@ -34,18 +36,27 @@ Mesh net(int columns, int rows, Ends around, Ends along, const std::function<Vec
     const std::uint32_t first = static_cast<std::uint32_t>(j % down) * static_cast<std::uint32_t>(across);
     return first + static_cast<std::uint32_t>(i % across);
   };
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const auto& v = mesh.vertices;
-    if (v[a] != v[b] && v[b] != v[c] && v[c] != v[a]) mesh.triangles.push_back({a, b, c});
+  const auto& v = mesh.vertices;
+  const auto add = [&](const std::array<std::uint32_t, 3>& corners, const std::array<Vec2, 3>& parameters) {
+    const auto [a, b, c] = corners;
+    if (v[a] == v[b] || v[b] == v[c] || v[c] == v[a]) return;
+    mesh.triangles.push_back(corners);
+    result.parameters.push_back(parameters);
   };
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const std::uint32_t a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1), d = index(i, j + 1);
-      add(a, b, c);
-      add(a, c, d);
+      const auto place = [&](int column, int row, bool is_pole) {
+        return Vec2((is_pole ? i + 0.5 : column) / columns, static_cast<double>(row) / rows);
+      };
+      const bool low = v[a] == v[b], high = v[c] == v[d];
+      const Vec2 at_a = place(i, j, low), at_b = place(i + 1, j, low);
+      const Vec2 at_c = place(i + 1, j + 1, high), at_d = place(i, j + 1, high);
+      add({a, b, c}, {at_a, at_b, at_c});
+      add({a, c, d}, {at_a, at_c, at_d});
     }
   }
-  return mesh;
+  return result;
 }
 
 /// Points that are one point become one vertex: a pole.
@@ -81,11 +92,22 @@ struct Tessellator {
 
   int half() const { return std::max(2, options.facets / 2); }
 
+  /// Parameters of the corners of all triangles, from where they are.
+  void place_corners(const std::function<PatternPlace(std::size_t, const Vec3&)>& place) {
+    result.parameters.assign(result.mesh.triangles.size(), {});
+    for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const PatternPoint at = place(t, result.mesh.vertices[result.mesh.triangles[t][k]]).at;
+        result.parameters[t][k] = {at.u, at.v};
+      }
+    }
+  }
+
   void operator()(const Sphere& sphere) {
     const int rows = half();
     const Circle circle = around(Vec3::UnitZ(), options.facets);
     const Vec3 up = sphere.radius * Vec3::UnitZ();
-    result.mesh = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
+    result = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
       if (j == 0) return sphere.centre - up;
       if (j == rows) return sphere.centre + up;
       const double rise = std::numbers::pi * j / rows;
@@ -102,7 +124,7 @@ struct Tessellator {
     const Circle circle = around(axis, options.facets);
     const double width = 2 * std::numbers::pi * std::max(base_radius, top_radius) / options.facets;
     const int rows = static_cast<int>(std::clamp(std::round(axis.norm() / width), 1.0, 1.0 * options.facets));
-    result.mesh = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
+    result = net(options.facets, rows, Ends::closed, Ends::open, [&](int i, int j) -> Vec3 {
       const double t = static_cast<double>(j) / rows;
       return base + t * axis + (base_radius + t * (top_radius - base_radius)) * circle.at(i);
     });
@@ -114,7 +136,7 @@ struct Tessellator {
     const Vec3 axis = torus.axis.normalized();
     const Circle circle = around(axis, options.facets);
     const int tube = std::max(kFewestFacets, half());
-    result.mesh = net(options.facets, tube, Ends::closed, Ends::closed, [&](int i, int j) -> Vec3 {
+    result = net(options.facets, tube, Ends::closed, Ends::closed, [&](int i, int j) -> Vec3 {
       const double turn = 2 * std::numbers::pi * j / tube;
       return torus.centre + (torus.ring + torus.tube * std::cos(turn)) * circle.at(i) +
              torus.tube * std::sin(turn) * axis;
@@ -123,8 +145,9 @@ struct Tessellator {
 
   void operator()(const Disc& disc) {
     const Circle circle = around(disc.normal, options.facets);
-    result.mesh = net(options.facets, 1, Ends::closed, Ends::open,
-                      [&](int i, int j) -> Vec3 { return disc.centre + (j == 1 ? 0 : disc.radius) * circle.at(i); });
+    result = net(options.facets, 1, Ends::closed, Ends::open,
+                 [&](int i, int j) -> Vec3 { return disc.centre + (j == 1 ? 0 : disc.radius) * circle.at(i); });
+    place_corners([&](std::size_t, const Vec3& corner) { return parameters_on(disc, corner); });
   }
 
   void operator()(const Box& box) {
@@ -138,11 +161,14 @@ struct Tessellator {
     if (box.axes.determinant() < 0) {
       for (auto& triangle : result.mesh.triangles) std::swap(triangle[1], triangle[2]);
     }
+    constexpr std::array<Eigen::Index, 3> kAcross{2, 1, 0};  // of each four triangles above
+    place_corners([&](std::size_t t, const Vec3& corner) { return parameters_on(box, kAcross[t / 4], corner); });
   }
 
   void operator()(const Triangle& triangle) {
     result.crease_angle = kSharp;
     result.mesh = {{triangle.a, triangle.b, triangle.c}, {{0, 1, 2}}};
+    result.parameters = {{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}};
   }
 
   void operator()(const Polygon& polygon) {
@@ -155,6 +181,7 @@ struct Tessellator {
     std::iota(rest.begin(), rest.end(), 0U);
     while (rest.size() > 3) cut_ear(flat, rest);
     result.mesh.triangles.push_back({rest[0], rest[1], rest[2]});
+    place_corners([&](std::size_t, const Vec3& corner) { return parameters_on(polygon, corner); });
   }
 
   /// Cuts off a corner that turns left and whose triangle has no other corner in it: there is one in every simple polygon.
@@ -176,11 +203,18 @@ struct Tessellator {
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
   }
 
-  void operator()(const Mesh& mesh) { result = {mesh, options.crease_angle}; }
+  void operator()(const Mesh& mesh) {
+    result = {mesh, options.crease_angle};
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto& at = mesh.texture;
+      result.parameters.push_back(at.empty() ? std::array<Vec2, 3>{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}
+                                             : std::array<Vec2, 3>{at[a], at[b], at[c]});
+    }
+  }
 
   void operator()(const BezierSurface& surface) {
     const int n = half();
-    result.mesh = net(n, n, Ends::open, Ends::open, [&](int i, int j) -> Vec3 {
+    result = net(n, n, Ends::open, Ends::open, [&](int i, int j) -> Vec3 {
       return at(surface, static_cast<double>(i) / n, static_cast<double>(j) / n).point;
     });
   }

@@ -11,7 +11,8 @@ namespace etendue {
 /// A shape as a net of triangles, wound so that they are seen from outside, and which of its edges are meant to be seen.
 struct Tessellation {
   Mesh mesh;
-  double crease_angle;  ///< what corner_normals() takes [rad]
+  double crease_angle;                               ///< what corner_normals() takes [rad]
+  std::vector<std::array<Vec2, 3>> parameters = {};  ///< u, v of each triangle's corners, as parameters() counts them
 };
 
 struct TessellationOptions {
@@ -25,6 +26,8 @@ inline constexpr int kMostFacets = 4096;
 
 /// The shape of an object in triangles, whose corners lie on it.
 ///
+/// The parameters of a corner belong to its triangle: u of the last column of a closed net is 1, not 0; at a pole or an apex it
+/// is that of the middle of the other side.                                                          @eq IU.4.1.2
 /// Domain    facets in [kFewestFacets, kMostFacets]
 /// Returns   for meshes their own triangles, for polygons the triangles that ears leave
 /// Errors    infinite planes, quadrics and polygons with holes; the message names the object

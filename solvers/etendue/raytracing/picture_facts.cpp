@@ -17,8 +17,7 @@ Rgb from_hit(PictureFact fact, const std::optional<SceneHit>& met, const Ray& ra
   if (fact == PictureFact::object) return Rgb::Constant(met ? static_cast<double>(met->object) : -1);
   if (!met) return Rgb::Zero();
   if (fact == PictureFact::depth) return Rgb::Constant(met->hit.t);
-  if (fact == PictureFact::albedo)
-    return colour_at(scene.materials[scene.objects[met->object].material], met->hit.point).k_d;
+  if (fact == PictureFact::albedo) return colour_at(scene, *met, ray, met->hit.t).k_d;
   const Vec3& normal = met->hit.normal;
   return normal.dot(ray.direction) > 0 ? Rgb(-normal.array()) : Rgb(normal.array());
 }

@@ -165,6 +165,7 @@ class TreeBuilder {
     child.ray.time = from.ray.time;
     child.kind = kind;
     child.level = from.level + 1;
+    child.before = from.before + from.length;
     child.parent = parent;
     child.coefficient = coefficient;
     child.weight = from.weight * coefficient * left_by_medium(from);

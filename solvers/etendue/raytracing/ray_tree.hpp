@@ -38,6 +38,7 @@ struct RayNode {
   Media media;                                              ///< the bodies that it travels in
   std::optional<std::size_t> medium = std::nullopt;         ///< the material of the one that counts, if any
   double length = std::numeric_limits<double>::infinity();  ///< from where it begins to the hit
+  double before = 0;                                        ///< of the rays that lead from the eye to there
 };
 
 /// All rays that were asked for by one eye ray.                                                    @eq IU.f32, IU.f36

@@ -61,13 +61,6 @@ Ray shadow_ray(const Hit& hit, const Light& light, AcneCure cure) {
   return shadow_ray_into(towards(light, hit.point).to_light, hit, light, cure);
 }
 
-SurfaceColour colour_at(const Material& material, const Vec3& point) {
-  if (!material.pattern) return {material.k_d, material.k_a};
-  const double share = second_share(material.pattern->pattern, point);
-  return {(1 - share) * material.k_d + share * material.pattern->k_d,
-          (1 - share) * material.k_a + share * material.pattern->k_a};
-}
-
 namespace {
 
 /// On the viewer's side, as `normal` is.
@@ -91,7 +84,7 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
   Shaded result;
   thread_local std::vector<IncidentLight> arriving;  // its memory is kept from hit to hit
   arriving.clear();
-  const SurfaceColour colour = colour_at(material, at_rest(scene.objects[met.object], met.hit.point, node.ray.time));
+  const SurfaceColour colour = colour_at(scene, met, node.ray, node.before + node.length);
   const bool returns_light = (colour.k_d != 0).any() || material.k_s != 0;
   const auto look_for = [&](const Light& light) {
     const LightSample sample = towards(light, met.hit.point);

@@ -6,6 +6,7 @@
 #include "etendue/raytracing/ray_tree.hpp"
 #include "etendue/raytracing/sample_key.hpp"
 #include "etendue/raytracing/shadow.hpp"
+#include "etendue/raytracing/surface_colour.hpp"
 
 namespace etendue {
 
@@ -44,13 +45,6 @@ struct Shaded {
 /// Of a light with an area, each of the point lights that it is (light_part()) counts so; light i draws from key.part(i).
 [[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},
                                         const Shadows& shadows = {}, double wavelength = 0);
-
-/// Diffuse and ambient reflection where a material's pattern shows what it shows. Patterns move with their objects: the
-/// point is that of at_rest().                                                                     @eq IU.4-1
-struct SurfaceColour {
-  Rgb k_d, k_a;
-};
-[[nodiscard]] SurfaceColour colour_at(const Material& material, const Vec3& point);
 
 /// Intensity that comes back along the tree's first ray.                                      @eq IU.5-2
 ///

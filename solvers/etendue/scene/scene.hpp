@@ -25,6 +25,7 @@
 #include "etendue/reflectance/pattern.hpp"
 #include "etendue/reflectance/transparency.hpp"
 #include "etendue/scene/material_bump.hpp"
+#include "etendue/scene/material_texture.hpp"
 
 namespace etendue {
 
@@ -67,10 +68,11 @@ struct Material {
   int priority = 0;  ///< where bodies overlap, the one of the highest counts; of equal ones that entered last
   Rgb rho = Rgb::Zero();       ///< diffuse reflectance for radiosity, each < 1; the reader sets it to k_d unless given
   Rgb emission = Rgb::Zero();  ///< E: radiant exitance of the emitter [W/m²]
-  std::optional<MaterialPattern> pattern;      ///< for rays; radiosity takes rho
-  std::optional<MaterialBump> bump;            ///< for rays, and for rasterised pictures by Phong's shading
-  std::optional<TransparencyLaw> see_through;  ///< for rasterised pictures; rays refract, by k_t and eta
-  std::shared_ptr<const CubeMap> environment;  ///< what is mirrored, in place of the scene; null: the scene
+  std::optional<MaterialPattern> pattern;                 ///< for rays; radiosity takes rho
+  std::optional<MaterialTexture> texture = std::nullopt;  ///< likewise; a material has one of them at most
+  std::optional<MaterialBump> bump;                       ///< for rays, and for rasterised pictures by Phong's shading
+  std::optional<TransparencyLaw> see_through;             ///< for rasterised pictures; rays refract, by k_t and eta
+  std::shared_ptr<const CubeMap> environment;             ///< what is mirrored, in place of the scene; null: the scene
 };
 
 /// Local lights of ray tracing. Lights of radiosity are surfaces with emission.
@@ -116,6 +118,7 @@ struct Object {
   Subdivision subdivision;
   std::string place = {};  ///< "scene.json:29:5: /objects/1", for messages; empty where it was not read from a file
   Vec3 velocity = Vec3::Zero();  ///< of the shape, which is where it says at time 0 [length/time]; for rays
+  OwnCoordinates own = {};       ///< before its transforms and those of its groups, and where it is at time 0
 };
 
 /// Where a point that the object carries along at `time` is at time 0.

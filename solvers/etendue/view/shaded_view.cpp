@@ -24,7 +24,8 @@ struct Facet {
   std::size_t object;
   std::array<Vec3, 3> corners, normals;
   Vec3 normal;
-  bool turned = false;  // outward is away from the viewer
+  bool turned = false;                  // outward is away from the viewer
+  std::array<Vec2, 3> parameters = {};  // of the corners
 
   Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3; }
 };
@@ -44,11 +45,9 @@ Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& o
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (normals[t].isZero(0)) continue;  // without area: nothing is seen of it
       const auto& ends = mesh.triangles[t];
-      Facet facet{object,
-                  {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]},
-                  at_corners[t],
-                  normals[t],
-                  false};
+      Facet facet{object,        {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]},
+                  at_corners[t], normals[t],
+                  false,         net->parameters[t]};
       if (facet.normal.dot(scene.camera.eye - facet.corners[0]) < 0) {
         facet.turned = true;
         facet.normal = -facet.normal;
@@ -63,6 +62,13 @@ Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& o
 /// The local model at points of facets.
 class Shader {
  public:
+  /// What flat and Gouraud's shading compute once and interpolate: the intensity; of a surface with a pattern, whose
+  /// colours are those of each pixel, the light that they then reflect.
+  struct Interpolated {
+    Rgb intensity = Rgb::Zero();
+    Rgb diffuse = Rgb::Zero();  ///< of a pattern: what k_d is multiplied by; the rest is in `intensity`
+  };
+
   Shader(const Scene& scene, Shading shading) : scene_(scene), shading_(shading) {
     for (const Light& light : scene.lights) {
       intensities_.push_back(std::visit([](const auto& each) { return each.intensity; }, light));
@@ -81,25 +87,27 @@ class Shader {
   }
 
   /// What is known of a facet before its pixels are.
-  void prepare(const Facet& facet, std::vector<Rgb>& colours, std::vector<LightCosines>& cosines) const {
+  void prepare(const Facet& facet, std::vector<Interpolated>& colours, std::vector<LightCosines>& cosines) const {
     if (shading_ == Shading::flat) {
       see(facet.centre(), facet.normal, cosines);
-      colours.push_back(reflected(facet, facet.centre(), cosines));
+      colours.push_back(light(facet, cosines));
     }
     for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k) {
       see(facet.corners[k], facet.normals[k], cosines);
-      colours.push_back(reflected(facet, facet.corners[k], cosines));
+      colours.push_back(light(facet, cosines));
     }
     if (shading_ != Shading::dot) return cosines.clear();
     for (std::size_t k = 0; k < 3; ++k) append(facet.corners[k], facet.normals[k], cosines);
   }
 
   /// What a point shows whose normal is known, with bumps and environment.
-  Rgb phong(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
+  Rgb phong(const Facet& facet, const Eigen::Array3d& weights, const Vec3& normal,
+            std::vector<LightCosines>& cosines) const {
     const Material& of = material(facet);
+    const Vec3 point = mixed(weights, facet.corners);
     see(point, normal, cosines);
     const Vec3 shaded = of.bump ? bumped(*of.bump, facet, point, normal, cosines) : normal;
-    Rgb colour = reflected(facet, point, cosines);
+    Rgb colour = reflected(facet, weights, point, cosines);
     if (of.environment) colour += mirrored_environment(of, -to_viewer(point), normal, shaded);
     return colour;
   }
@@ -120,11 +128,20 @@ class Shader {
     }
   }
 
-  Rgb reflected(const Facet& facet, const Vec3& point, const std::vector<LightCosines>& cosines) const {
+  Rgb reflected(const Facet& facet, const Eigen::Array3d& weights, const Vec3& point,
+                const std::vector<LightCosines>& cosines) const {
     const Material& of = material(facet);
-    const SurfaceColour colour = colour_at(of, point);
+    const SurfaceColour colour = this->colour(facet, weights, point);
     const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
     return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_) + of.emission;
+  }
+
+  bool has_pattern(const Facet& facet) const { return material(facet).pattern || material(facet).texture; }
+
+  /// Colours of a pixel, of light that was interpolated.
+  Rgb patterned(const Facet& facet, const Eigen::Array3d& weights, const Interpolated& light) const {
+    const SurfaceColour colour = this->colour(facet, weights, mixed(weights, facet.corners));
+    return colour.k_a * scene_.ambient + colour.k_d * light.diffuse + light.intensity;
   }
 
  private:
@@ -140,6 +157,30 @@ class Shader {
       cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
     cosines.resize(smooth);
     return seen;
+  }
+
+  Interpolated light(const Facet& facet, const std::vector<LightCosines>& cosines) const {
+    const Material& of = material(facet);
+    const auto reflection = [&](const Rgb& k_a, const Rgb& k_d, double k_s) {
+      const LocalReflection surface{k_a, k_d, k_s, of.phong_exponent};
+      return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_);
+    };
+    if (!has_pattern(facet)) return {reflection(of.k_a, of.k_d, of.k_s) + of.emission, Rgb::Zero()};
+    return {reflection(Rgb::Zero(), Rgb::Zero(), of.k_s) + of.emission, reflection(Rgb::Zero(), Rgb::Ones(), 0)};
+  }
+
+  SurfaceColour colour(const Facet& facet, const Eigen::Array3d& weights, const Vec3& point) const {
+    const Material& of = material(facet);
+    if (!of.texture) return colour_at(of, point);
+    PatternPlace place;
+    if (!of.texture->laid) {
+      const Triangle triangle{facet.corners[0], facet.corners[1], facet.corners[2]};
+      place = between(triangle, facet.parameters, {weights[1], weights[2]});
+    }
+    const Vec3 way = point - scene_.camera.eye;
+    const double path = way.norm();
+    const Vec3 direction = path > 0 ? Vec3(way / path) : Vec3(-facet.normal);
+    return textured_colour(scene_, scene_.objects[facet.object], {point, facet.normal, direction, path}, place);
   }
 
   void append(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
@@ -172,7 +213,7 @@ class Picture {
                          parts);
       const bool clear = shader_.material(facets_[f]).see_through.has_value();
       for (const auto& part : parts) seen_.push_back({part, static_cast<std::uint32_t>(f), clear});
-      shader_.prepare(facets_[f], colours_, cosines_);
+      shader_.prepare(facets_[f], light_, cosines_);
     }
   }
 
@@ -246,18 +287,24 @@ class Picture {
 
   /// A facet's own colour at a point of it.
   Rgb shown(std::uint32_t f, const Eigen::Array3d& weights, std::vector<LightCosines>& cosines) const {
-    if (options_.shading == Shading::flat) return colours_[f];
     const Facet& facet = facets_[f];
-    if (options_.shading == Shading::gouraud) {
-      const Rgb* corners = &colours_[std::size_t{3} * f];
-      return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    if (options_.shading == Shading::flat) {
+      return shader_.has_pattern(facet) ? shader_.patterned(facet, weights, light_[f]) : light_[f].intensity;
     }
-    const Vec3 point = mixed(weights, facet.corners);
+    if (options_.shading == Shading::gouraud) {
+      const Shader::Interpolated* corners = &light_[std::size_t{3} * f];
+      const auto between_corners = [&](Rgb Shader::Interpolated::*part) -> Rgb {
+        return weights[0] * corners[0].*part + weights[1] * corners[1].*part + weights[2] * corners[2].*part;
+      };
+      const Rgb intensity = between_corners(&Shader::Interpolated::intensity);
+      if (!shader_.has_pattern(facet)) return intensity;
+      return shader_.patterned(facet, weights, {intensity, between_corners(&Shader::Interpolated::diffuse)});
+    }
     if (options_.shading == Shading::dot) {
       shader_.mix(weights, cosines_.data() + 3 * shader_.lights() * f, cosines);
-      return shader_.reflected(facet, point, cosines);
+      return shader_.reflected(facet, weights, mixed(weights, facet.corners), cosines);
     }
-    return shader_.phong(facet, point, normal_at(facet, weights), cosines);
+    return shader_.phong(facet, weights, normal_at(facet, weights), cosines);
   }
 
   const Scene& scene_;
@@ -265,8 +312,8 @@ class Picture {
   const std::vector<Facet>& facets_;
   Shader shader_;
   std::vector<SeenFacet> seen_;
-  std::vector<Rgb> colours_;           // one of each facet, or three
-  std::vector<LightCosines> cosines_;  // of each facet, corner and light
+  std::vector<Shader::Interpolated> light_;  // one of each facet, or three
+  std::vector<LightCosines> cosines_;        // of each facet, corner and light
 };
 
 double diagonal(const std::vector<Facet>& facets) {

@@ -42,6 +42,9 @@ inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
 ///
 /// A facet whose material has a law of see_through is seen through: I = (1 − t) I + t I_behind, pixel by pixel from the
 /// farthest to the nearest, t by the law from N·V. Both walls of a body count.                       @eq IU.4.4a, IU.4.4b
+///
+/// Patterns and textures have the colours of the pixel's own place, by u and v that are linear on the surface where they
+/// follow its parameters; flat and Gouraud's shading interpolate the light that these reflect.           @eq IU.4-1, IU.4.1.2
 /// Symbols   as for local_illumination(), which the ray tracer uses; a light with an area counts as its middle. Values are
 ///           interpolated on the surface, so perspective does not bend them. Where `shading` is phong bumps turn N, and
 ///           mirrored_environment() is added                                                   @eq IU.4.2.1, IU.4.1.3
