@@ -9,8 +9,17 @@ namespace etendue::validation {
 
 namespace {
 
-constexpr std::array kKnown = {"--filter", "--text",   "--json", "--junit",   "--quiet",
-                               "--list",   "--claims", "--help", "--version", "--update-references",
+constexpr std::array kKnown = {"--filter",
+                               "--text",
+                               "--json",
+                               "--junit",
+                               "--report",
+                               "--quiet",
+                               "--list",
+                               "--claims",
+                               "--help",
+                               "--version",
+                               "--update-references",
                                "--reason"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
@@ -43,6 +52,7 @@ std::string* value_of(Options& options, const std::string& option) {
   if (option == "--text") return &options.text_path;
   if (option == "--json") return &options.json_path;
   if (option == "--junit") return &options.junit_path;
+  if (option == "--report") return &options.html_path;
   if (option == "--update-references") return &options.references;
   if (option == "--reason") return &options.reason;
   return nullptr;
@@ -110,6 +120,7 @@ Options
   --text FILE          write the table to FILE
   --json FILE          write all evidence to FILE as JSON
   --junit FILE         write the outcome to FILE as JUnit XML
+  --report FILE        write an HTML page to FILE, complete in itself: verdict, margins, claims, tolerances
   --quiet              print failures and the closing line only
   --list               print each test with what it proves, and stop
   --claims             print the register with its verdicts, and stop
@@ -131,6 +142,7 @@ Sample runs
   etendue-validate --claims
   etendue-validate --filter IU.6-11
   etendue-validate --filter 'IU.5-1*' --json report.json
+  etendue-validate --filter 'IU.6-11' --report report.html
 )";
 }
 

@@ -16,6 +16,7 @@ struct Options {
   std::string text_path;
   std::string json_path;
   std::string junit_path;
+  std::string html_path;
   std::string references;                  ///< which to update: "all", or how their paths begin
   std::string reason;                      ///< why
   bool quiet = false;                      ///< nothing but failures and the headline on stdout

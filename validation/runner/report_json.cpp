@@ -95,6 +95,7 @@ std::string json_report(const Summary& summary, const Register& all, const Build
   Json json;
   json["schema"] = "etendue-validation-report/1";
   json["build"] = from(build);
+  json["command"] = build.command;
   json["date"] = build.date;
   json["duration_seconds"] = number(build.seconds);
   json["full_run"] = summary.full;

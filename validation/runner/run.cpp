@@ -46,7 +46,7 @@ BuildInfo build_info() {
 #else
   const std::string compiler = std::string("g++ ") + __VERSION__;
 #endif
-  return {version(), compiler, ETENDUE_BUILD_TYPE, ETENDUE_FP_CONTRACT, utc_now(), 0};
+  return {version(), compiler, ETENDUE_BUILD_TYPE, ETENDUE_FP_CONTRACT, utc_now(), 0, "etendue-validate"};
 }
 
 int print_claims(const Register& all) {
@@ -105,8 +105,9 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 /// another.
 Result<Done> check_reports(const Options& options) {
   std::vector<std::pair<const char*, std::filesystem::path>> reports;
-  for (const auto& [option, path] : {std::pair("--text", options.text_path), std::pair("--json", options.json_path),
-                                     std::pair("--junit", options.junit_path)}) {
+  for (const auto& [option, path] :
+       {std::pair("--text", options.text_path), std::pair("--json", options.json_path),
+        std::pair("--junit", options.junit_path), std::pair("--report", options.html_path)}) {
     if (path.empty()) continue;
     for (const auto& [other, taken] : reports) {
       if (!same_file(taken, path)) continue;
@@ -126,6 +127,7 @@ Result<Done> write_reports(const Options& options, const Summary& summary, const
   if (!options.text_path.empty()) files.push_back({options.text_path, text_report(summary, build)});
   if (!options.json_path.empty()) files.push_back({options.json_path, json_report(summary, all, build)});
   if (!options.junit_path.empty()) files.push_back({options.junit_path, junit_report(summary, build)});
+  if (!options.html_path.empty()) files.push_back({options.html_path, html_report(summary, all, build)});
   return write_files(files);
 }
 
@@ -177,6 +179,8 @@ int run_tests(const Options& options, const Register& all) {
   if (full) add_disabled(tests);
   const Summary summary = summarize(all, std::move(tests), full);
   BuildInfo build = build_info();
+  for (const auto& pattern : options.filters) build.command += " --filter '" + pattern + "'";
+  for (const auto& option : options.gtest_options) build.command += " '" + option + "'";
   build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
   print(summary, build, options);
   const auto written = write_reports(options, summary, all, build);

@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The HTML report of a program (argument 1): as a file, and, where a headless Chromium is installed, as a page: good data
+stay green, one injected fault of many kinds turns the page red, every plotted point is where the data say, nothing is
+asked of the network. Ends with 77 (skipped) after the checks of the file where no Chromium is there."""
+import base64
+import copy
+import hashlib
+import html.parser
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+program = sys.argv[1]
+complaints = []
+
+
+def demand(what, condition, context=""):
+    print(("ok    " if condition else "WRONG ") + what)
+    if not condition:
+        complaints.append(what)
+        print(context)
+
+
+def fnv1a(text):
+    value = 0x811c9dc5
+    for byte in text.encode():
+        value = (value ^ byte) * 0x01000193 & 0xffffffff
+    return f"{value:08x}"
+
+
+class Outline(html.parser.HTMLParser):
+    """Ids, headings, elements and every address that the page names."""
+
+    def __init__(self):
+        super().__init__()
+        self.ids, self.headings, self.tags, self.addresses, self.styled = [], [], [], [], False
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        self.tags.append(tag)
+        if "id" in attributes:
+            self.ids.append(attributes["id"])
+        if re.fullmatch("h[1-6]", tag):
+            self.headings.append(int(tag[1]))
+        self.addresses += [attributes[key] for key in ("href", "src", "action") if key in attributes]
+        self.styled = self.styled or "style" in attributes or any(key.startswith("on") for key in attributes)
+
+
+def outline_of(page):
+    outline = Outline()
+    outline.feed(page)
+    return outline
+
+
+def luminance(color):
+    parts = [int(color[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+    return sum(w * (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4) for w, c in zip((0.2126, 0.7152, 0.0722), parts))
+
+
+def contrast(a, b):
+    high, low = sorted((luminance(a), luminance(b)), reverse=True)
+    return (high + 0.05) / (low + 0.05)
+
+
+def check_file(page):
+    outline = outline_of(page)
+    demand("ids are there once", len(outline.ids) == len(set(outline.ids)))
+    inner = [a[1:] for a in outline.addresses if a.startswith("#")]
+    demand("every link leads to a place of the page", len(inner) == len(outline.addresses) and set(inner) <= set(outline.ids),
+           sorted(set(inner) - set(outline.ids)))
+    demand("one h1, and no heading skips a level", outline.headings.count(1) == 1 and outline.headings[0] == 1
+           and all(b - a <= 1 for a, b in zip(outline.headings, outline.headings[1:])), outline.headings)
+    demand("landmarks are there", {"header", "nav", "main"} <= set(outline.tags))
+    demand("no style or handler in an attribute, which the policy would block", not outline.styled)
+    policy = re.search(r'Content-Security-Policy" content="([^"]*)"', page)[1]
+    for tag, text in (("script", re.findall(r"<script>(.*?)</script>", page, re.S)), ("style", re.findall(r"<style>(.*?)</style>", page, re.S))):
+        digest = base64.b64encode(hashlib.sha256(text[0].encode()).digest()).decode()
+        demand(f"one {tag}, with its hash in the policy", len(text) == 1 and f"{tag}-src 'sha256-{digest}'" in policy)
+    demand("the policy allows nothing else", policy.startswith("default-src 'none'; ") and "http" not in policy and "unsafe" not in policy)
+    colors = [dict(re.findall(r"--([\w-]+): (#[0-9a-f]{6})", block)) for block in re.findall(r":root \{(.*?)\}", page, re.S)[:2]]
+    poor = [(i, ink, paper) for i, c in enumerate(colors) for ink, paper in (("ink", "paper"), ("soft", "paper"), ("link", "paper"),
+            ("good", "good-tint"), ("bad", "bad-tint"), ("good", "paper"), ("bad", "paper"), ("soft", "tint"), ("ink", "tint"), ("link", "tint"))
+            if contrast(c[ink], c[paper]) < 4.5]
+    demand("text has a contrast of 4.5, light and dark", len(colors) == 2 and not poor, poor)
+    demand("what a reader without a script needs is text", "Verified" in page and "Reproduce with" in page and "error/tolerance 0.100" in page)
+
+
+def data_of(page):
+    return json.loads(re.search(r'id="report"[^>]*>(.*?)</script>', page, re.S)[1])
+
+
+def with_data(page, data):
+    """The page with other data, whose digest fits: so that the checks of their meaning must find the fault."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    start = page.index('<script type="application/json" id="report"')
+    end = page.index("</script>", start)
+    return f'{page[:start]}<script type="application/json" id="report" data-fnv1a="{fnv1a(text)}">{text}{page[end:]}'
+
+
+def places(value, path=()):
+    """Every key and element below: where a fault can be put."""
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield path + (key,)
+        yield from places(inner, path + (key,))
+
+
+# What carries no verdict, and what a consistent lie may say: text alone, and numbers that nothing else in the report repeats.
+FREE = {"stated", "command"}
+TEXTS = {"statement", "source", "oracle", "version", "compiler", "build_type", "date"}
+
+
+def faults(data):
+    """(what, damaged data): each differs from the good data in one place."""
+    for path in places(data):
+        if FREE & set(path):
+            continue
+        parent = data
+        for key in path[:-1]:
+            parent = parent[key]
+        value, changes = parent[path[-1]], {}
+        if isinstance(path[-1], str):
+            changes["missing"] = None
+        if isinstance(value, bool):
+            if path[-1] != "full_run":
+                changes["turned"] = not value
+        elif isinstance(value, (int, float)):
+            changes["negative"] = -1
+            if path[-1] not in ("duration_seconds",) and "seeds" not in path:
+                changes["above its bound"] = value + 1.5
+            changes["not a number"] = "NaN"
+        elif isinstance(value, str):
+            changes["empty"] = ""
+            if path[-1] not in TEXTS:
+                changes["altered"] = value + "x"
+        for what, new in changes.items():
+            if path[-1] == "worst_share" and what == "missing":
+                changes[what] = None
+            damaged = copy.deepcopy(data)
+            place = damaged
+            for key in path[:-1]:
+                place = place[key]
+            if what == "missing":
+                del place[path[-1]]
+            else:
+                place[path[-1]] = new
+            yield f"{'.'.join(map(str, path))} {what}", damaged
+
+
+def browser():
+    return next((path for path in map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome")) if path), None)
+
+
+def dump(chromium, folder, page):
+    """The page after its script has run, and what the browser logged. A host that cannot be found would be logged, too."""
+    path = os.path.join(folder, "page.html")
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(page)
+    done = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", "--host-resolver-rules=MAP * ~NOTFOUND",
+                           f"--user-data-dir={folder}/profile", "--dump-dom", "file://" + path], capture_output=True, timeout=120)
+    return done.stdout.decode(), "\n".join(l for l in done.stderr.decode(errors="replace").splitlines() if "CONSOLE" in l)
+
+
+def check_points(dom, data):
+    shown = [(float(s), t, float(y)) for y, s, t in re.findall(r'<circle cx="[^"]*" cy="([^"]*)" r="3"[^>]*data-share="([^"]*)" data-test="([^"]*)"', dom)]
+    wanted = sorted(((e["worst_share"], t["test"]) for t in data["tests"] for e in t["evidence"] if e["claims"] and e["worst_share"]), reverse=True)
+    demand("each check is a point, worst first", wanted and [s for s, _, _ in shown] == [s for s, _ in wanted], (shown, wanted))
+    # y is linear in log10(share): two points fix the line, the limit line of share 1 must lie on it.
+    limit = float(re.search(r'<line [^>]*y1="([^"]*)"[^>]*class="limit"', dom)[1])
+    tens = float(re.search(r'<text x="[^"]*" y="([^"]*)" text-anchor="end">10\^-1<', dom)[1]) - 4
+    demand("and stands where its share says", all(abs(y - (limit - (tens - limit) * math.log10(s))) < 0.01 for s, _, y in shown), shown)
+
+
+def check_browser(chromium, folder, page):
+    dom, console = dump(chromium, folder, page)
+    demand("good data: green, no fault", 'data-verdict="good"' in dom and 'data-faults="0"' in dom, dom[:500] + console)
+    demand("the console says nothing, so nothing was asked of the network", console == "", console)
+    check_points(dom, data_of(page))
+    altered = page.replace('"worst_share":0.1', '"worst_share":0.2')
+    demand("altered data are found by their digest", altered != page and "altered after the run" in dump(chromium, folder, altered)[0])
+    # All faults in one visit: the page's own findFaults() judges each of them.
+    script = re.search(r"<script>(.*?)</script>", page, re.S)[1]
+    listed = list(faults(data_of(page)))
+    judge = "\n".join(["const out = cases.map(function (c) { try { return findFaults(c).length; } catch (e) { return 1; } });",
+                       "document.body.textContent = 'JUDGED ' + JSON.stringify(out);"])
+    body = script[:script.index("const holder")] + "const cases = " + json.dumps([d for _, d in listed]).replace("<", "\\u003c") + ";\n" + judge + "})();"
+    judged = re.search(r"JUDGED (\[[0-9,]*\])", dump(chromium, folder, f"<!DOCTYPE html><body><script>{body}</script>")[0])
+    counts = json.loads(judged[1]) if judged else []
+    # The name of a row that no test proves is held against the table only: by the whole page.
+    missed = [what for (what, damaged), count in zip(listed, counts) if count == 0
+              and not (re.fullmatch(r"(claims|errata)\.\d+\.id altered", what)
+                       and 'data-verdict="bad"' in dump(chromium, folder, with_data(page, damaged))[0])]
+    demand(f"each of {len(listed)} injected faults is found", len(listed) >= 100 and len(counts) == len(listed) and not missed, missed)
+    # A few of them through the whole page, to the colour.
+    for what, damaged in listed[::max(1, len(listed) // 4)][:4]:
+        dom = dump(chromium, folder, with_data(page, damaged))[0]
+        demand(f"the page turns red: {what}", 'data-verdict="bad"' in dom and "NOT VERIFIED" in dom, dom[:300])
+
+
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "report.html")
+    good = subprocess.run([program, "--filter", "Good.*", "--quiet", "--report", path], capture_output=True, timeout=60)
+    demand("a report is written", good.returncode == 0, good)
+    good_page = open(path, encoding="utf-8").read()
+    check_file(good_page)
+    bad = subprocess.run([program, "--quiet", "--report", path], capture_output=True, timeout=60)
+    bad_page = open(path, encoding="utf-8").read()
+    demand("a failed run is red without a script", bad.returncode == 1 and '<html lang="en" data-verdict="bad">' in bad_page
+           and "NOT VERIFIED" in bad_page and "times the tolerance" in bad_page)
+    chromium = browser()
+    if chromium:
+        check_browser(chromium, folder, good_page)
+sys.exit(1 if complaints else 0 if chromium else 77)
