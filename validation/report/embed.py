@@ -18,7 +18,7 @@ SCRIPTS = ["check.js", "margins.js", "table.js", "main.js"]
 TEST = re.compile(r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
 NAMED = re.compile(r"// (CLAIM|ORACLE|TOLERANCE) +(.*)")
 POWERS = {"²": "2", "³": "3", "ⁿ": "n"}
-TOKEN = re.compile(r"(?P<name>[^\W\d_]+[0-9]*'?)(?:_(?P<sub>\w+(?:,\w+)?))?|(?P<number>\d+(?:\.\d+)?)|(?P<power>[²³ⁿ]|\^\w+)|(?P<sign>\S)")
+TOKEN = re.compile(r"(?P<name>[^\W\d_²³ⁿ½]+[0-9]*'?)(?:_(?P<sub>[^\W²³ⁿ]+(?:,[^\W²³ⁿ]+)?))?|(?P<number>\d+(?:\.\d+)?)|(?P<power>[²³ⁿ]|\^\w+)|(?P<sign>\S)")
 WORDS = {"or", "with", "is", "about", "decides", "between", "and", "a", "factor", "of", "due", "to", "top", "side", "ambient",
          "local"}
 FUNCTIONS = {"sin", "cos", "tan", "arccos", "arcsin", "sqrt", "max", "min"}

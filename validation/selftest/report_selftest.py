@@ -15,6 +15,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
+
+sys.dont_write_bytecode = True
+validation = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(validation, "report"))
+import embed  # noqa: E402
 
 program = sys.argv[1]
 complaints = []
@@ -203,6 +209,20 @@ def check_browser(chromium, folder, page):
         demand(f"the page turns red: {what}", 'data-verdict="bad"' in dom and "NOT VERIFIED" in dom, dom[:300])
 
 
+def check_formulas():
+    """Each formula of the register is well-formed MathML, and no sign of it is lost on the way."""
+    def plain(text):
+        return re.sub(r"[\s_^\u2061]", "", text).translate(str.maketrans("²³ⁿ", "23n")).replace("sqrt", "√")
+
+    with open(os.path.join(validation, "claims", "claims.json"), encoding="utf-8") as file:
+        formulas = [row["formula"] for row in json.load(file)["claims"] if row["formula"]]
+    lost = [f for f in formulas if plain("".join(xml.etree.ElementTree.fromstring(embed.mathml(f)).itertext())) != plain(f)]
+    powers = embed.mathml("d² cosⁿ φ_i")
+    demand("formulas become MathML, and keep every sign", len(formulas) > 70 and not lost and powers.count("<msup>") == 2
+           and "<msub><mi>φ</mi><mi>i</mi></msub>" in powers, lost)
+
+
+check_formulas()
 with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "report.html")
     good = subprocess.run([program, "--filter", "Good.*", "--quiet", "--report", path], capture_output=True, timeout=60)
