@@ -161,5 +161,18 @@ TEST(PixelFilter, HasTheSameBitsInAPart) {
   EXPECT_TRUE(all_agree(wrong, 27));
 }
 
+// CLAIM      IU.5.8.1: a sample counts by the share of the picture that it stands for, times the filter at its place.
+// ORACLE     closed form: Σ w f I / Σ w f with tent weights that are whole in binary.
+// TOLERANCE  two roundings of a quotient and a sum.
+TEST(PixelFilter, CountsASampleByItsWeight) {
+  proves({"IU.5.8.1"}, Oracle::closed_form, "two samples of different shares, by hand");
+  FilterRow row(usual_filter(FilterKind::tent), 0, 0, 3);
+  row.add(1, {1.5, 0.5, 0.75, Eigen::Array3d::Constant(1)});    // f = 1
+  row.add(1, {1.75, 0.25, 0.25, Eigen::Array3d::Constant(5)});  // f = 0.75 · 0.75
+  const double expected = (0.75 * 1 + 0.25 * 0.5625 * 5) / (0.75 + 0.25 * 0.5625);
+  EXPECT_TRUE(near(FilterRow::resolve({&row}, 1, 0)[0], expected, 4 * kUnitRoundoff * expected));
+  EXPECT_TRUE(near(FilterRow::resolve({&row}, 2, 0)[0], 5, 4 * kUnitRoundoff * 5));  // the first is out of reach
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/raytracing/preview.hpp"
 #include "support/evidence.hpp"
 #include "support/scene_builder.hpp"
 
@@ -256,6 +257,30 @@ TEST(Render, TellsFactsOfPixels) {
       EXPECT_EQ(rendering.facts[5].at(column, row)[0], 0);
     }
   }
+}
+
+// CLAIM      A preview has one colour a square, that of the ray through its centre; squares at the edge are cut, and have the centre of what is left.
+// ORACLE     exact: a 10 × 10 picture of a bright corner; which squares of 4 have their centres in it.
+// TOLERANCE  none.
+TEST(Preview, LooksThroughTheCentresOfItsSquares) {
+  proves({}, Oracle::exact, "centres of squares, by hand");
+  // Bright are x < 0.55 and y < 0.55. The centres of the squares: 0.2, 0.6, 0.9 across, and 0.8, 0.4, 0.1 up, from the top.
+  const auto accelerator = make_accelerator(corner(0.55, 0.55, 10), AcceleratorKind::bounding_volumes);
+  RenderOptions options;
+  const auto whole = preview(*accelerator, options, 4, {});
+  ASSERT_TRUE(whole.ok() && whole.value());
+  options.crop = PixelWindow{3, 2, 9, 10};
+  const auto part = preview(*accelerator, options, 4, {});
+  ASSERT_TRUE(part.ok() && part.value());
+  std::uint64_t wrong = 0;
+  for (int row = 0; row < 10; ++row) {
+    for (int column = 0; column < 10; ++column) {
+      const double expected = column < 4 && row >= 4 ? 1 : 0;
+      if ((whole.value()->at(column, row) != expected).any()) ++wrong;
+      if (column >= 3 && column < 9 && row >= 2 && (part.value()->at(column - 3, row - 2) != expected).any()) ++wrong;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, 148));
 }
 
 }  // namespace

@@ -367,5 +367,42 @@ TEST(Sampling, RefusesWhatCannotBeMeant) {
   EXPECT_TRUE(holds(fault(negative).has_value()));
 }
 
+// CLAIM      Contrast must exceed the threshold: where all looks alike and it is 0, a pixel keeps its one sample.
+// ORACLE     exact: looks counted.
+// TOLERANCE  none.
+TEST(Sampling, TakesNoMoreWhereContrastEqualsTheThreshold) {
+  proves({"IU.5.8.2"}, Oracle::exact, "one look a pixel of an even picture");
+  Sampling sampling = by(SamplingScheme::adaptive_jittered, 4);
+  sampling.threshold.setZero();
+  EXPECT_TRUE(holds(looks(sampled(sampling, 5, 3, [](double, double) { return grey(0.5); })) == 15));
+}
+
+// CLAIM      The depth that is told of a pixel is the greatest among its samples, in every scheme.
+// ORACLE     exact: a tree of depth 3 in one corner of each pixel, 1 elsewhere.
+// TOLERANCE  none.
+TEST(Sampling, TellsTheDeepestTreeOfAPixel) {
+  proves({}, Oracle::exact, "depths by place");
+  std::uint64_t wrong = 0;
+  for (const SamplingScheme scheme : {SamplingScheme::uniform, SamplingScheme::jittered, SamplingScheme::adaptive}) {
+    const RowSampler sampler(by(scheme, 4), {}, {0, 6}, 6);
+    const Look look = [](double x, double y, const SampleKey&) {
+      const bool corner = x - std::floor(x) < 0.25 && y - std::floor(y) < 0.25;
+      return Glimpse{grey(corner ? 1 : 0), corner ? 3 : 1};
+    };
+    std::vector<SampledRow> rows;
+    for (int row = 0; row < 3; ++row)
+      rows.push_back(sampler.begins(row) ? sampler.begin(row, look) : sampler.fresh(row));
+    const auto begun = [&](int row) {
+      return row >= 0 && row < 3 && sampler.begins(row) ? &rows[static_cast<std::size_t>(row)] : nullptr;
+    };
+    for (int row = 0; row < 3; ++row)
+      sampler.complete(rows[static_cast<std::size_t>(row)], begun(row - 1), begun(row + 1), look);
+    for (const SampledRow& row : rows) {
+      for (const PixelWork& work : row.work) wrong += work.tree_depth == 3 ? 0u : 1u;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, 54));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -216,5 +216,23 @@ TEST(Shade, HasNoAcneAtAnyScale) {
   EXPECT_GT(decisions, 9000u);
 }
 
+// CLAIM      IU.4-1: where a pattern shows its first colours they are the material's k_d and k_a; where it shows the second, the pattern's.
+// ORACLE     exact: two squares of a checkerboard; between, half way across a ring of wood, where the share is a quarter: (½)².
+// TOLERANCE  none for squares; of wood the roundings of a square and a blend, 8 u.
+TEST(Shading, TakesThePatternsColours) {
+  proves({"IU.4-1"}, Oracle::exact, "squares by hand; a quarter of the second colour");
+  Material tiles = diffuse(0.5);
+  tiles.k_a = Rgb::Constant(0.25);
+  tiles.pattern = MaterialPattern{Checkerboard{}, Rgb::Constant(0.125), Rgb::Constant(0.0625)};
+  const SurfaceColour first = colour_at(tiles, {0.5, 0.5, 0}), second = colour_at(tiles, {1.5, 0.5, 0});
+  EXPECT_TRUE(holds(first.k_d[0] == 0.5 && first.k_a[0] == 0.25));
+  EXPECT_TRUE(holds(second.k_d[0] == 0.125 && second.k_a[0] == 0.0625));
+  Material wood = tiles;
+  wood.pattern->pattern = Wood{};
+  const SurfaceColour blend = colour_at(wood, {0.5, 0, 0});  // no crook: h = 0 and φ = 0
+  EXPECT_TRUE(near(blend.k_d[0], 0.75 * 0.5 + 0.25 * 0.125, 8 * kUnitRoundoff));
+  EXPECT_TRUE(near(blend.k_a[0], 0.75 * 0.25 + 0.25 * 0.0625, 8 * kUnitRoundoff));
+}
+
 }  // namespace
 }  // namespace etendue::validation
