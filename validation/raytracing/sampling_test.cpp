@@ -26,14 +26,16 @@ struct Sampled {
   std::map<Point, int> looks;   ///< how often each place was looked at
 };
 
-/// All rows in both steps, light(x, y) being what there is to see.
-template <class Light>
-Sampled sampled(const Sampling& sampling, int columns, int rows, Light light, const PixelFilter& filter = {}) {
+/// All rows in both steps, light(x, y) being what there is to see, and depth(x, y) how deep a tree that takes.
+template <class Light, class Depth = int (*)(double, double)>
+Sampled sampled(
+    const Sampling& sampling, int columns, int rows, Light light, const PixelFilter& filter = {},
+    Depth depth = [](double, double) { return 0; }) {
   const RowSampler sampler(sampling, filter, {0, columns}, columns);
   Sampled result{Image(columns, rows), {}, {}};
   const Look look = [&](double x, double y, const SampleKey&) {
     ++result.looks[{x, y}];
-    return Glimpse{light(x, y), 0};
+    return Glimpse{light(x, y), depth(x, y)};
   };
   std::vector<SampledRow> all;
   for (int row = 0; row < rows; ++row)
@@ -382,24 +384,13 @@ TEST(Sampling, TakesNoMoreWhereContrastEqualsTheThreshold) {
 // TOLERANCE  none.
 TEST(Sampling, TellsTheDeepestTreeOfAPixel) {
   proves({}, Oracle::exact, "depths by place");
+  const auto corner = [](double x, double y) { return x - std::floor(x) < 0.25 && y - std::floor(y) < 0.25; };
   std::uint64_t wrong = 0;
   for (const SamplingScheme scheme : {SamplingScheme::uniform, SamplingScheme::jittered, SamplingScheme::adaptive}) {
-    const RowSampler sampler(by(scheme, 4), {}, {0, 6}, 6);
-    const Look look = [](double x, double y, const SampleKey&) {
-      const bool corner = x - std::floor(x) < 0.25 && y - std::floor(y) < 0.25;
-      return Glimpse{grey(corner ? 1 : 0), corner ? 3 : 1};
-    };
-    std::vector<SampledRow> rows;
-    for (int row = 0; row < 3; ++row)
-      rows.push_back(sampler.begins(row) ? sampler.begin(row, look) : sampler.fresh(row));
-    const auto begun = [&](int row) {
-      return row >= 0 && row < 3 && sampler.begins(row) ? &rows[static_cast<std::size_t>(row)] : nullptr;
-    };
-    for (int row = 0; row < 3; ++row)
-      sampler.complete(rows[static_cast<std::size_t>(row)], begun(row - 1), begun(row + 1), look);
-    for (const SampledRow& row : rows) {
-      for (const PixelWork& work : row.work) wrong += work.tree_depth == 3 ? 0u : 1u;
-    }
+    const Sampled picture = sampled(
+        by(scheme, 4), 6, 3, [&](double x, double y) { return grey(corner(x, y) ? 1 : 0); }, {},
+        [&](double x, double y) { return corner(x, y) ? 3 : 1; });
+    for (const PixelWork& work : picture.work) wrong += work.tree_depth == 3 ? 0u : 1u;
   }
   EXPECT_TRUE(all_agree(wrong, 54));
 }
