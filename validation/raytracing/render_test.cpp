@@ -265,7 +265,8 @@ TEST(Render, TellsFactsOfPixels) {
 TEST(Preview, LooksThroughTheCentresOfItsSquares) {
   proves({}, Oracle::exact, "centres of squares, by hand");
   // Bright are x < 0.55 and y < 0.55. The centres of the squares: 0.2, 0.6, 0.9 across, and 0.8, 0.4, 0.1 up, from the top.
-  const auto accelerator = make_accelerator(corner(0.55, 0.55, 10), AcceleratorKind::bounding_volumes);
+  const Scene scene = corner(0.55, 0.55, 10);
+  const auto accelerator = make_accelerator(scene, AcceleratorKind::bounding_volumes);
   RenderOptions options;
   const auto whole = preview(*accelerator, options, 4, {});
   ASSERT_TRUE(whole.ok() && whole.value());
