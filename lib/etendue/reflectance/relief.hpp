@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "etendue/core/floating_point.hpp"
+
 namespace etendue {
 
 /// The function f(u, v) by which a rough surface stands above a smooth one, and how it grows.              @eq IU.4.2.1
