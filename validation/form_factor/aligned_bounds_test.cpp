@@ -10,6 +10,7 @@
 #include "form_factor/shapes.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -49,12 +50,13 @@ AlignedPlan planned(const Polygon& from, const Polygon& to, double relative) {
 // TOLERANCE  2^-20 of the remainder, for the roundings of the primitive's logarithms.
 TEST(AlignedBounds, FollowFromTheNearestPoints) {
   constexpr std::uint64_t kSeed = 20261129;
-  constexpr int kPairs = 3000;
   proves({"IU.6-3"}, Oracle::identity, "remainders at the nearest points, 3000 pairs");
   uses_seed(kSeed);
   CounterRandom random(kSeed);
   std::uint64_t below = 0, judged = 0, steeper = 0;
-  for (int k = 0; k < kPairs; ++k) {
+  const std::uint64_t pairs = long_run(3000);
+  for (std::uint64_t k = 0; k < pairs; ++k) {
+    share_done(k, pairs);
     const bool opposite = k % 2 == 0, equal = k % 3 != 0;
     const double a = random.scale(0.05, 1), b = random.scale(0.05, 2);
     const double c = equal || opposite ? a : random.scale(0.05, 1);
@@ -87,7 +89,7 @@ TEST(AlignedBounds, FollowFromTheNearestPoints) {
     ++judged;
   }
   EXPECT_TRUE(all_agree(below, judged));
-  EXPECT_GT(judged, static_cast<std::uint64_t>(kPairs / 2));
+  EXPECT_GT(judged, pairs / 2);
   EXPECT_GT(steeper, judged / 4) << "where distance and distance off the line are alike, centres would do";
 }
 

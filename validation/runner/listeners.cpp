@@ -3,10 +3,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
 
 #include "cli/stop.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 
@@ -47,13 +50,55 @@ void Collector::OnTestEnd(const ::testing::TestInfo& info) {
   tests_.push_back(std::move(test));
 }
 
-void Progress::OnTestStart(const ::testing::TestInfo& info) {
-  ++done_;
-  if (!::isatty(STDERR_FILENO)) return;
-  const std::string name = std::string(info.test_suite_name()) + "." + info.name();
-  std::fprintf(stderr, "\r\033[K%d/%d %.70s", done_, ::testing::UnitTest::GetInstance()->test_to_run_count(),
-               name.c_str());
+namespace {
+
+Progress* the_progress = nullptr;
+
+std::string clock_text(std::chrono::steady_clock::duration duration) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%d:%02d:%02d", static_cast<int>(seconds / 3600),
+                static_cast<int>(seconds / 60 % 60), static_cast<int>(seconds % 60));
+  return text.data();
+}
+
+std::string bar(double share) {
+  constexpr std::size_t kWidth = 24;
+  const auto full = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kWidth));
+  return "[" + std::string(full, '#') + std::string(kWidth - full, '.') + "] ";
+}
+
+}  // namespace
+
+Progress::Progress(Depth depth) : depth_(depth) {
+  if (depth_ != Depth::long_run || !::isatty(STDERR_FILENO)) return;
+  the_progress = this;
+  on_share_done = [](double share) {
+    constexpr auto kEvery = std::chrono::milliseconds(200);
+    if (std::chrono::steady_clock::now() - the_progress->shown_ >= kEvery) the_progress->show(share);
+  };
+}
+
+Progress::~Progress() {
+  if (the_progress != this) return;
+  on_share_done = nullptr;
+  the_progress = nullptr;
+}
+
+void Progress::show(double share) {
+  shown_ = std::chrono::steady_clock::now();
+  const int tests = ::testing::UnitTest::GetInstance()->test_to_run_count();
+  const std::string head =
+      depth_ == Depth::usual ? "" : bar((begun_ - 1 + share) / tests) + clock_text(shown_ - start_) + " ";
+  const std::string tail = share > 0 ? " " + std::to_string(static_cast<int>(100 * share)) + " %" : "";
+  std::fprintf(stderr, "\r\033[K%s%d/%d %.70s%s", head.c_str(), begun_, tests, test_.c_str(), tail.c_str());
   std::fflush(stderr);
+}
+
+void Progress::OnTestStart(const ::testing::TestInfo& info) {
+  ++begun_;
+  test_ = std::string(info.test_suite_name()) + "." + info.name();
+  if (::isatty(STDERR_FILENO)) show(0);
 }
 
 void Progress::OnTestProgramEnd(const ::testing::UnitTest&) {

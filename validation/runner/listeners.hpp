@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <string>
 #include <vector>
 
 #include "runner/summary.hpp"
@@ -20,14 +22,24 @@ class Collector : public ::testing::EmptyTestEventListener {
   std::vector<TestRun>& tests_;
 };
 
-/// One line on a terminal that says how far the run is; nothing in a pipe.
+enum class Depth { usual, long_run };
+
+/// One line on a terminal that says how far the run is; nothing in a pipe. Of a long run a bar as well, which moves while
+/// a test runs, and the time.
 class Progress : public ::testing::EmptyTestEventListener {
  public:
+  explicit Progress(Depth depth);
+  ~Progress() override;
   void OnTestStart(const ::testing::TestInfo& info) override;
   void OnTestProgramEnd(const ::testing::UnitTest& unit) override;
 
  private:
-  int done_ = 0;
+  void show(double share);
+
+  Depth depth_;
+  int begun_ = 0;
+  std::string test_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), shown_{};
 };
 
 }  // namespace etendue::validation

@@ -9,18 +9,10 @@ namespace etendue::validation {
 
 namespace {
 
-constexpr std::array kKnown = {"--filter",
-                               "--text",
-                               "--json",
-                               "--junit",
-                               "--report",
-                               "--quiet",
-                               "--list",
-                               "--claims",
-                               "--help",
-                               "--version",
-                               "--update-references",
-                               "--reason"};
+constexpr std::array kKnown = {
+    "--filter", "--claim", "--subject", "--long",   "--text", "--json",    "--junit",
+    "--report", "--quiet", "--list",    "--claims", "--help", "--version", "--update-references",
+    "--reason"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
 std::size_t edits(const std::string& a, const std::string& b) {
@@ -49,6 +41,8 @@ Error usage(const std::string& message) {
 
 std::string* value_of(Options& options, const std::string& option) {
   if (option == "--filter") return &options.filters.emplace_back();
+  if (option == "--claim") return &options.claims.emplace_back();
+  if (option == "--subject") return &options.subjects.emplace_back();
   if (option == "--text") return &options.text_path;
   if (option == "--json") return &options.json_path;
   if (option == "--junit") return &options.junit_path;
@@ -61,6 +55,8 @@ std::string* value_of(Options& options, const std::string& option) {
 bool set_flag(Options& options, const std::string& option) {
   if (option == "--quiet")
     options.quiet = true;
+  else if (option == "--long")
+    options.deep = true;
   else if (option == "--help" || option == "-h")
     options.action = Options::Action::help;
   else if (option == "--version")
@@ -117,6 +113,10 @@ verdict. "exact" means that every comparison was a yes-or-no decision or agreed 
 
 Options
   --filter ID|PATTERN  run only tests that prove this claim or erratum, or whose name fits (* any, ? one); repeatable
+  --claim ID           run only tests that prove this claim or erratum; repeatable, and joined with --filter and --subject
+  --subject NAME       run only tests of one subject ("form factors") or module (form_factor); repeatable
+  --long               the deep version: a hundred times as many random rays and pairs, 10^8 rays at the edges of a mesh and
+                       more than 10^5 pairs of polygons; hours, with a bar that shows how far it is
   --text FILE          write the table to FILE
   --json FILE          write all evidence to FILE as JSON
   --junit FILE         write the outcome to FILE as JUnit XML
@@ -134,13 +134,14 @@ Options
 Exit status
   0  all tests passed, and every verdict of the register is backed
   1  a test failed, asserts nothing, or the register claims what no test proves
-  2  the command line is wrong, or --filter selects nothing
+  2  the command line is wrong, or what was chosen selects nothing
   5  a report cannot be written (checked before the first test runs), or standard output did not take everything
   6  stopped by Ctrl-C: the running test was ended, the reports say which tests were not run
 
 Sample runs
   etendue-validate --claims
-  etendue-validate --filter IU.6-11
+  etendue-validate --claim IU.6-11
+  etendue-validate --subject optics --quiet
   etendue-validate --filter 'IU.5-1*' --json report.json
   etendue-validate --filter 'IU.6-11' --report report.html
 )";

@@ -20,6 +20,8 @@
 #include "runner/probe.hpp"
 #include "runner/references.hpp"
 #include "runner/report.hpp"
+#include "runner/selection.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 
@@ -72,24 +74,6 @@ int print_tests() {
     std::cout << "\n";
   }
   return 0;
-}
-
-/// GoogleTest's filter for the tests that fit any of the patterns, by their name or by what they prove.
-Result<std::string> gtest_filter(const std::vector<std::string>& patterns) {
-  const auto tests = probe_tests();
-  if (!tests) return tests.error();
-  std::string filter;
-  for (const auto& pattern : patterns) {
-    bool any = false;
-    for (const auto& test : *tests) {
-      const bool fit = fits(test.test, pattern) || std::any_of(test.claims.begin(), test.claims.end(),
-                                                               [&](const auto& id) { return fits(id, pattern); });
-      if (fit) filter += (filter.empty() ? "" : ":") + test.test;
-      any = any || fit;
-    }
-    if (!any) return Error{ErrorCode::usage, "no test proves or is called " + pattern + "; --list names all"};
-  }
-  return filter;
 }
 
 /// Do both name one file, by whatever ways, be it there or not?
@@ -169,7 +153,7 @@ int run_tests(const Options& options, const Register& all) {
   listeners.Append(new Collector(tests));  // GoogleTest owns it
   if (options.gtest_options.empty()) {
     delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new Progress);
+    listeners.Append(new Progress(options.deep ? Depth::long_run : Depth::usual));
   }
   // What RUN_ALL_TESTS thinks is told again, test by test, by the summary; but it also sees failures outside tests.
   const int gtest_says = RUN_ALL_TESTS();
@@ -179,7 +163,7 @@ int run_tests(const Options& options, const Register& all) {
   if (full) add_disabled(tests);
   const Summary summary = summarize(all, std::move(tests), full);
   BuildInfo build = build_info();
-  for (const auto& pattern : options.filters) build.command += " --filter '" + pattern + "'";
+  build.command += choice_text(options);
   for (const auto& option : options.gtest_options) build.command += " '" + option + "'";
   build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
   print(summary, build, options);
@@ -208,15 +192,12 @@ int run_action(const Options& options, const Register& all) {
   if (inside_probe()) return fail({ErrorCode::usage, "a probe of the tests must not start another run"});
   if (options.action == Options::Action::list) return print_tests();
   if (const auto writable = check_reports(options); !writable) return fail(writable.error());
-  std::string filter;
-  if (!options.filters.empty()) {
-    const auto chosen = gtest_filter(options.filters);
-    if (!chosen) return fail(chosen.error());
-    filter = *chosen;
-  }
+  const auto filter = gtest_filter(options, all);
+  if (!filter) return fail(filter.error());
   const auto ready = init_gtest(options);
   if (!ready) return fail(ready.error());
-  if (!filter.empty()) GTEST_FLAG_SET(filter, filter);
+  if (!filter->empty()) GTEST_FLAG_SET(filter, *filter);
+  if (options.deep) begin_long_run();
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
   return run_tests(options, all);
 }

@@ -32,6 +32,8 @@ demand("an unknown option of GoogleTest too", ["--gtest_fliter=x"], 2, "unknown 
 demand("a missing value is refused", ["--json"], 2, "--json needs a value")
 demand("a stray argument is refused", ["IU.6-11"], 2, "--filter IU.6-11")
 demand("a filter that selects nothing is refused", ["--filter", "IU.99"], 2, "IU.99")
+demand("a claim that the register does not have too", ["--claim", "IU.99"], 2, "--claim IU.99: the register does not have it")
+demand("a subject that is none is told what there is", ["--subject", "rays and more"], 2, "acceleration, colour,", "; modules: acceleration, assembly,")
 demand("a report that cannot be written is refused before the run", ["--json", "/nowhere/at/all.json"], 5, "/nowhere/at/all.json")
 demand("a folder in place of a report too", ["--text", "/tmp"], 5, "etendue-validate: cannot write '/tmp': is a directory\n")
 demand("and a device", ["--text", "/dev/null"], 5, "cannot write '/dev/null': not a regular file")

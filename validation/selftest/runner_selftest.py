@@ -3,6 +3,7 @@
 """Runs the program of misbehaving tests (argument 1) and demands that the runner notices each misbehaviour."""
 import json
 import os
+import pty
 import signal
 import subprocess
 import sys
@@ -56,6 +57,60 @@ demand_run("the list of GoogleTest is only that", ["--gtest_list_tests"], 0, "Go
 demand_run("an id selects the tests that prove it", ["--filter", "E1", "--quiet"], 0, "1 refuted")
 demand_run("a pattern that fits nothing is refused", ["--filter", "T.[24]", "--quiet"], 2, "T.[24]")
 demand_run("--list shows what each test proves", ["--list"], 0, "Good.DecidesExactly T.2 E1", "Good.TwoOraclesInOneTest T.1\n")
+
+demand_run("--claim runs the tests that prove it, and no other", ["--claim", "T.2"], 0, "1 test passed", "1 refuted with")
+demand_run("of an erratum as well", ["--claim=E1"], 0, "1 test passed", "1 erratum proved")
+demand_run("--claim is no pattern", ["--claim", "T.*"], 2, "--claim T.*: the register does not have it; --claims names all\n")
+demand_run("a claim without a test is refused", ["--claim", "T.3"], 2, "--claim T.3: no test proves it\n")
+demand_run("--subject is one of the register", ["--subject", "mended things"], 0, "1 test passed", "1 erratum proved")
+demand_run("the errata of its claims belong to it", ["--subject", "errors"], 0, "1 test passed", "1 erratum proved")
+demand_run("or a folder of tests", ["--subject", "selftest", "--quiet"], 1, "PROBLEM Bad.Skips", "FAILED Bad.Fails")
+demand_run("and one that is neither is refused, with what there is", ["--subject", "optic"], 2,
+           "--subject optic: no subject", "subjects: errors, mended things, s; modules: selftest\n")
+demand_run("choices add up", ["--claim", "E1", "--filter", "Good.HoldsATenthOfItsTolerance"], 0, "2 tests passed")
+demand_run("each must select something", ["--claim", "E1", "--filter", "T.9"], 2, "no test proves or is called T.9")
+
+
+def comparisons(environment, *options):
+    """How many comparisons Good.DecidesExactly made, and the command that the report says would repeat the run."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "report.json")
+        subprocess.run([program, "--claim", "E1", "--quiet", "--json", path, *options], check=True, stdout=subprocess.DEVNULL,
+                       env={**os.environ, **environment}, timeout=60)
+        report = json.load(open(path, encoding="utf-8"))
+        return report["tests"][0]["evidence"][0]["comparisons"], report["command"]
+
+
+demand("a usual run makes its three decisions", comparisons({}) == (4, "etendue-validate --claim 'E1'"), comparisons({}))
+demand("--long makes a hundred times as many, and says so", comparisons({}, "--long") == (301, "etendue-validate --claim 'E1' --long"),
+       comparisons({}, "--long"))
+demand("or as many as ETENDUE_LONG_RUN says", comparisons({"ETENDUE_LONG_RUN": "7"}, "--long")[0] == 22)
+
+
+def on_a_terminal(*options):
+    """What the program writes to stderr where that is a terminal."""
+    reader, writer = pty.openpty()
+    done = subprocess.run([program, *options], stdout=subprocess.DEVNULL, stderr=writer, timeout=60)
+    os.close(writer)
+    text = b""
+    try:
+        while piece := os.read(reader, 4096):
+            text += piece
+    except OSError:  # the terminal's other end is closed: all is read
+        pass
+    os.close(reader)
+    return done.returncode, text.decode()
+
+
+status, shown = on_a_terminal("--long", "--filter", "Good.*")
+demand("a long run has a bar and a clock on a terminal", status == 0 and all(text in shown for text in (
+       "\r\x1b[K[........................] 0:00:00 1/3 Good.HoldsATenthOfItsTolerance",
+       "[########................] 0:00:00 2/3 Good.DecidesExactly",
+       "[################........] 0:00:00 3/3 Good.TwoOraclesInOneTest")), repr(shown))
+demand("which moves while a test runs", "[############............] 0:00:00 2/3 Good.DecidesExactly 50 %" in shown, repr(shown))
+status, shown = on_a_terminal("--filter", "Good.*")
+demand("a usual run says where it is", status == 0 and "\r\x1b[K2/3 Good.DecidesExactly" in shown and "#" not in shown, repr(shown))
+demand("in a pipe there is neither", run("--long", "--filter", "Good.*")[2] == "")
 
 with tempfile.TemporaryDirectory() as folder:
     files = {kind: os.path.join(folder, "report." + kind) for kind in ("json", "xml", "txt")}

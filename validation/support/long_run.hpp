@@ -7,11 +7,24 @@
 namespace etendue::validation {
 
 /// How many cases a random family has: `cases`, times the whole number in ETENDUE_LONG_RUN where that is set
-/// (ci/long-run). The first `cases` are the same in any run.
+/// (ci/long-run; etendue-validate --long). The first `cases` are the same in any run.
 inline std::uint64_t long_run(std::uint64_t cases) {
   const char* factor = std::getenv("ETENDUE_LONG_RUN");
   const std::uint64_t times = factor == nullptr ? 1 : std::strtoull(factor, nullptr, 10);
   return cases * (times == 0 ? 1 : times);
+}
+
+/// What --long means, where the environment does not say another number.
+inline void begin_long_run() {
+  ::setenv("ETENDUE_LONG_RUN", "100", 0);
+}
+
+/// Is told the share of the running test that is done; null where nobody looks.
+inline void (*on_share_done)(double share) = nullptr;
+
+/// For loops that a long run makes long: `done` of `of` cases are.
+inline void share_done(std::uint64_t done, std::uint64_t of) {
+  if (on_share_done != nullptr) on_share_done(static_cast<double>(done) / static_cast<double>(of));
 }
 
 }  // namespace etendue::validation
