@@ -73,14 +73,15 @@ Case of(Family family, Random& random) {
 // TOLERANCE  none.
 TEST(ExactDecision, OfATriangleIsThatOfRationalNumbers) {
   proves({"RT.9", "RT.10", "IU.5.0"}, Oracle::exact,
-         "CGAL do_intersect(Ray_3, Triangle_3) over rationals, 350,000 rays");
+         "CGAL do_intersect(Ray_3, Triangle_3) over rationals, 70,000 rays");
   constexpr std::uint64_t kSeed = 20261122;
   uses_seed(kSeed);
   Random random(kSeed);
   for (const Family family : kFamilies) {
-    const std::uint64_t cases = long_run(50'000);
+    const std::uint64_t cases = long_run(10'000);
     std::uint64_t mismatches = 0, hits = 0, by_integers = 0;
     for (std::uint64_t i = 0; i < cases;) {
+      share_done(i, cases);
       const Case c = of(family, random);
       const oracle::Point origin = exact(c.ray.origin), direction = exact(c.ray.direction);
       if (c.ray.direction.isZero(0)) continue;
@@ -132,6 +133,7 @@ TEST(ExactDecision, OfASphereIsThatOfRationalNumbers) {
   const std::uint64_t cases = long_run(200'000);
   std::uint64_t mismatches = 0, hits = 0, tangents = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
+    share_done(i, cases);
     Ray ray;
     Sphere sphere{Vec3::Zero(), 1};
     const std::uint64_t family = i % 5;
@@ -180,13 +182,14 @@ TEST(ExactDecision, OfASphereIsThatOfRationalNumbers) {
 // ORACLE     exact: the parameter over rationals.
 // TOLERANCE  none.
 TEST(ExactDecision, OfAPlaneIsThatOfRationalNumbers) {
-  proves({"IU.5-12", "RT.12"}, Oracle::exact, "parameter over rationals, 200,000 rays");
+  proves({"IU.5-12", "RT.12"}, Oracle::exact, "parameter over rationals, 40,000 rays");
   constexpr std::uint64_t kSeed = 20261124;
   uses_seed(kSeed);
   Random random(kSeed);
-  const std::uint64_t cases = long_run(200'000);
+  const std::uint64_t cases = long_run(40'000);
   std::uint64_t mismatches = 0, hits = 0, parallel = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
+    share_done(i, cases);
     Ray ray;
     Plane plane;
     if (i % 2 == 0) {
@@ -219,14 +222,15 @@ TEST(ExactDecision, OfAPlaneIsThatOfRationalNumbers) {
 // ORACLE     exact: CGAL's bounded_side_2 over rationals; on the chain, that the two make up the whole.
 // TOLERANCE  none.
 TEST(ExactDecision, OfAPolygonIsThatOfRationalNumbers) {
-  proves({"IU.5.6.2"}, Oracle::exact, "bounded_side_2 over rationals, 250,000 rays");
+  proves({"IU.5.6.2"}, Oracle::exact, "bounded_side_2 over rationals, 50,000 rays");
   constexpr std::uint64_t kSeed = 20261125;
   uses_seed(kSeed);
   Random random(kSeed);
-  const std::uint64_t cases = long_run(250'000);
+  const std::uint64_t cases = long_run(50'000);
   constexpr std::uint64_t kRaysEach = 100;
   std::uint64_t mismatches = 0, on_the_chain = 0, hits = 0;
   for (std::uint64_t i = 0; i < cases / kRaysEach; ++i) {
+    share_done(i * kRaysEach, cases);
     // A square of 16, cut by a chain from its left to its right side; x and y are whole, z leans by whole slopes.
     std::vector<oracle::Flat> lower{{0, 0}, {16, 0}}, upper{{16, 16}, {0, 16}}, chain;
     for (int x = 16; x >= 0; x -= 4) chain.push_back({static_cast<double>(x), std::round(random.uniform(1, 15))});
