@@ -35,6 +35,17 @@ double place_in_box(const Quadric& quadric, const Vec3& point) {
   return y.cwiseQuotient(quadric.box.half_edges).lpNorm<Eigen::Infinity>();
 }
 
+/// To first order, |f|/|∇f|: f is small where it is asked.
+double distance_from(const Quadric& quadric, const Vec3& point) {
+  using Wide3 = Eigen::Matrix<long double, 3, 1>;
+  const Wide3 x = point.cast<long double>() - quadric.box.centre.cast<long double>();
+  const Eigen::Matrix<long double, 3, 3> q = quadric.square.cast<long double>();
+  const Wide3 linear = quadric.linear.cast<long double>();
+  const long double f = x.dot(q * x) + 2 * linear.dot(x) + static_cast<long double>(quadric.constant);
+  const Wide3 gradient = (q + q.transpose()) * x + 2 * linear;
+  return static_cast<double>(std::abs(f) / gradient.norm());
+}
+
 // CLAIM      IU.5.0: a general quadric, cut by a box, is hit where and when the exact quadratic says.
 // ORACLE     exact: the quadratic with rational coefficients, roots isolated by Arb.
 // TOLERANCE  kQuadricUlps for t; the hit's own point_error; decisions are open where a root lies within 2^-30 of a face of
@@ -76,6 +87,42 @@ TEST(Quadric, IsHitAsTheExactQuadraticSays) {
   EXPECT_TRUE(all_agree(mismatches, rays));
   EXPECT_TRUE(within(ulps, kQuadricUlps));
   EXPECT_TRUE(within(point, 1));
+}
+
+// CLAIM      IU.5.0: every crossing of a line is found, one after the other, and none that is not there; each point lies on
+//            the quadric.
+// ORACLE     exact: the number of sign changes by Sturm's sequence; in boxes that cut nothing off.
+// TOLERANCE  1e-12 max(1, way of the ray) off the surface, |f|/|∇f| evaluated in long double; counts none: the next search
+//            begins where the last hit was (t_min).
+TEST(Quadric, CountsItsCrossingsAsSturmDoes) {
+  proves({"IU.5.0"}, Oracle::exact, "Sturm's sequence of the rational quadratic");
+  uses_seed(832);
+  Random random(832);
+  std::uint64_t wrong = 0, lines = 0, counts[3] = {};
+  double off = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    Quadric quadric = random_quadric(random);
+    const Vec3 target = quadric.box.centre + random.in_cube(1);
+    quadric.box.half_edges.setConstant(1e15);
+    Ray ray;
+    ray.origin = target + random.unit_vector() * random.scale(0.1, 1e4);
+    ray.direction = (target - ray.origin) * random.scale(0.1, 10);
+    const long truth = oracle::quadric_crossings(exact(ray.origin), exact(ray.direction), exact(quadric.box.centre),
+                                                 rows_of(quadric.square), exact(quadric.linear), quadric.constant);
+    long found = 0;
+    while (const auto hit = intersect(ray, quadric)) {
+      ++found;
+      ray.t_min = hit->t;
+      off = std::max(off, distance_from(quadric, hit->point) / std::max(1.0, (hit->point - ray.origin).norm()));
+      if (found > 2) break;
+    }
+    ++lines;
+    wrong += found != truth;
+    ++counts[std::min(found, 2L)];
+  }
+  for (const std::uint64_t count : counts) EXPECT_GT(count, 0U) << "0 to 2 crossings all occur";
+  EXPECT_TRUE(all_agree(wrong, lines));
+  EXPECT_TRUE(within(off, 1e-12));
 }
 
 // CLAIM      IU.5.0: one formula serves paraboloid, hyperboloid, saddle, ellipsoid and a pair of planes; a tangent and a

@@ -191,8 +191,9 @@ BallAt<kBits> value(const Bicubic& f, const BallAt<kBits>& u, const BallAt<kBits
   return sum;
 }
 
-LineRoots roots_of(const Polynomial& f) {
-  LineRoots result;
+/// Calls `use` with each factor of f that has no root twice and with its exponent in f.
+template <class Use>
+void for_each_factor(const Polynomial& f, Use use) {
   fmpz_poly_t p;
   fmpz_poly_init(p);
   fmpq_poly_get_numerator(p, f.get());
@@ -201,27 +202,65 @@ LineRoots roots_of(const Polynomial& f) {
     fmpz_poly_factor_init(factors);
     fmpz_poly_factor_squarefree(factors, p);
     for (slong k = 0; k < factors->num; ++k) {
-      const fmpz_poly_struct* factor = factors->p + k;
-      if (fmpz_poly_degree(factor) < 1) continue;
-      result.distinct += fmpz_poly_num_real_roots_sturm(factor);
-      if (factors->exp[k] % 2 == 1) add_real_roots(factor, result.changes);
+      if (fmpz_poly_degree(factors->p + k) > 0) use(factors->p + k, factors->exp[k]);
     }
     fmpz_poly_factor_clear(factors);
   }
   fmpz_poly_clear(p);
+}
+
+LineRoots roots_of(const Polynomial& f) {
+  LineRoots result;
+  for_each_factor(f, [&](const fmpz_poly_struct* factor, slong exponent) {
+    result.distinct += fmpz_poly_num_real_roots_sturm(factor);
+    if (exponent % 2 == 1) add_real_roots(factor, result.changes);
+  });
   std::sort(result.changes.begin(), result.changes.end(),
             [](const Wide& a, const Wide& b) { return a.high < b.high || (a.high == b.high && a.low < b.low); });
   return result;
+}
+
+/// Roots t > 0 of odd order. Those of f(x²) are ±√t, and 0 where it is one of f.
+long crossings_ahead(const Polynomial& f) {
+  long count = 0;
+  for_each_factor(f, [&](const fmpz_poly_struct* factor, slong exponent) {
+    if (exponent % 2 == 0) return;
+    fmpz_poly_t of_square;
+    fmpz_poly_init(of_square);
+    fmpz_poly_inflate(of_square, factor, 2);
+    const bool at_zero = fmpz_is_zero(factor->coeffs);
+    if (at_zero) fmpz_poly_shift_right(of_square, of_square, 2);  // Sturm's sequence wants no root twice
+    count += fmpz_poly_num_real_roots_sturm(of_square) / 2;
+    fmpz_poly_clear(of_square);
+  });
+  return count;
+}
+
+Polynomial torus_quartic(const Point& origin, const Point& direction, const Point& centre, const Point& axis,
+                         double ring, double tube) {
+  const Line x = line_from(origin, direction, centre), a = constant(axis);
+  const Polynomial square = dot(x, x), n2 = dot(a, a), height = dot(a, x), big(ring), small(tube);
+  const Polynomial sum = square + big * big - small * small;
+  return sum * sum * n2 - Polynomial(4) * big * big * (square * n2 - height * height);
+}
+
+Polynomial quadratic(const Point& origin, const Point& direction, const Point& centre,
+                     const std::array<Point, 3>& square, const Point& linear, double k) {
+  const Line x = line_from(origin, direction, centre);
+  const Line qx = {dot(constant(square[0]), x), dot(constant(square[1]), x), dot(constant(square[2]), x)};
+  return dot(x, qx) + Polynomial(2) * dot(constant(linear), x) + Polynomial(k);
 }
 
 }  // namespace
 
 LineRoots torus_roots(const Point& origin, const Point& direction, const Point& centre, const Point& axis, double ring,
                       double tube) {
-  const Line x = line_from(origin, direction, centre), a = constant(axis);
-  const Polynomial square = dot(x, x), n2 = dot(a, a), height = dot(a, x), big(ring), small(tube);
-  const Polynomial sum = square + big * big - small * small;
-  return roots_of(sum * sum * n2 - Polynomial(4) * big * big * (square * n2 - height * height));
+  return roots_of(torus_quartic(origin, direction, centre, axis, ring, tube));
+}
+
+long torus_crossings(const Point& origin, const Point& direction, const Point& centre, const Point& axis, double ring,
+                     double tube) {
+  return crossings_ahead(torus_quartic(origin, direction, centre, axis, ring, tube));
 }
 
 LineRoots cone_roots(const Point& origin, const Point& direction, const Point& base, const Point& top,
@@ -236,9 +275,12 @@ LineRoots cone_roots(const Point& origin, const Point& direction, const Point& b
 
 LineRoots quadric_roots(const Point& origin, const Point& direction, const Point& centre,
                         const std::array<Point, 3>& square, const Point& linear, double k) {
-  const Line x = line_from(origin, direction, centre);
-  const Line qx = {dot(constant(square[0]), x), dot(constant(square[1]), x), dot(constant(square[2]), x)};
-  return roots_of(dot(x, qx) + Polynomial(2) * dot(constant(linear), x) + Polynomial(k));
+  return roots_of(quadratic(origin, direction, centre, square, linear, k));
+}
+
+long quadric_crossings(const Point& origin, const Point& direction, const Point& centre,
+                       const std::array<Point, 3>& square, const Point& linear, double k) {
+  return crossings_ahead(quadratic(origin, direction, centre, square, linear, k));
 }
 
 std::vector<SurfaceCrossing> bezier_crossings(const Point& origin, const Point& direction,

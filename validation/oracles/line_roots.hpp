@@ -21,6 +21,10 @@ struct LineRoots {
 LineRoots torus_roots(const Point& origin, const Point& direction, const Point& centre, const Point& axis, double ring,
                       double tube);
 
+/// How often the line crosses the torus at t > 0: roots of odd order, counted by Sturm's sequence.
+long torus_crossings(const Point& origin, const Point& direction, const Point& centre, const Point& axis, double ring,
+                     double tube);
+
 /// Both nappes of |A|⁴ |x|² − |A|² (A·x)² = (R₀ |A|² + (R₁ − R₀) A·x)², x from the base, A = top − base.
 LineRoots cone_roots(const Point& origin, const Point& direction, const Point& base, const Point& top,
                      double base_radius, double top_radius);
@@ -28,6 +32,10 @@ LineRoots cone_roots(const Point& origin, const Point& direction, const Point& b
 /// x·Q x + 2 q·x + k = 0, x from the centre; Q's rows as given, not made symmetric.
 LineRoots quadric_roots(const Point& origin, const Point& direction, const Point& centre,
                         const std::array<Point, 3>& square, const Point& linear, double constant);
+
+/// How often the line crosses the quadric at t > 0: roots of odd order, counted by Sturm's sequence.
+long quadric_crossings(const Point& origin, const Point& direction, const Point& centre,
+                       const std::array<Point, 3>& square, const Point& linear, double constant);
 
 /// Where the line meets a bicubic Bézier surface: all common zeros (u, v) of the two
 /// polynomials that say how far the surface's point is from two planes through the line, by resultants.

@@ -13,8 +13,10 @@ namespace {
 constexpr std::size_t kMostDegree = BoundedPolynomial::kMostDegree;
 /// Two operations a degree of 2^-102 each on every term, and the magnitude's own rounding: NOTES.md §10.
 constexpr double kHorner = 0x1p-98;
-/// Enough halvings to come from any interval to neighbouring doubles; secant steps end it long before.
-constexpr int kMostSteps = 120;
+/// Each fourth step is a halving: enough of them to come from any interval to neighbouring doubles. Secant steps end it
+/// long before, unless the interval is far wider than what curves the polynomial.
+constexpr int kHalving = 4;
+constexpr int kMostSteps = kHalving * 2100;
 /// Newton's steps from a double on double the digits; a second one serves zeros that are nearly double.
 constexpr int kNewtonSteps = 2;
 
@@ -67,7 +69,7 @@ double bracketed(const BoundedPolynomial& p, std::size_t degree, const End& from
     const double middle = low + 0.5 * (high - low);
     if (!(low < middle && middle < high)) break;
     double x = low - at_low * ((high - low) / (at_high - at_low));
-    if (!(low < x && x < high) || step % 4 == 3) x = middle;
+    if (!(low < x && x < high) || step % kHalving == kHalving - 1) x = middle;
     const double at_x = value_at(p, degree, x).value.high;
     if (at_x == 0) return x;
     if ((at_x < 0) == (at_low < 0)) {

@@ -40,14 +40,16 @@ BoundedPolynomial quartic(const NearLine& line, const Vec3& direction, const Tor
   return p;
 }
 
-/// The part of the line inside the sphere around the torus, a little widened; empty where it passes outside.
+/// The part of the line inside the sphere around the torus, a little widened; empty where it passes outside. Its middle is
+/// the closest approach anew: `start` is that only to roundings of the way there, which from afar exceed the widening.
 std::optional<ParameterRange> range_within(const NearLine& line, const Vec3& direction, const Torus& torus) {
+  const DoubleDouble3 d = widened(direction);
+  const double a = dot(d, d).high, b = dot(line.start, d).high, square = line.distance * line.distance;
   const double reach = (torus.ring + torus.tube) * (1 + 0x1p-40);
-  const double left = reach * reach - line.distance * line.distance * (1 - 0x1p-40);
+  const double left = reach * reach - (square - b / a * b) + 0x1p-40 * square;
   if (!(left > 0)) return std::nullopt;
-  // The start is the closest approach to rounding only.
-  const double half = (std::sqrt(left) + 0x1p-40 * reach) / direction.norm();
-  return ParameterRange{-half, half};
+  const double middle = -b / a, half = (std::sqrt(left) + 0x1p-40 * (reach + line.distance)) / std::sqrt(a);
+  return ParameterRange{middle - half, middle + half};
 }
 
 }  // namespace
