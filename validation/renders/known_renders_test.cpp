@@ -69,12 +69,14 @@ Scene lone_sphere() {
   return scene;
 }
 
-// CLAIM      Known render of a sphere: each pixel is background or Lambert's k_d I_p max(0, N·L), as the quadratic decides.
+// CLAIM      Known render of a sphere (IU.5-8 to 5-11) seen through pixels' centres (RT.1, RT.2): each pixel is background or
+//            Lambert's k_d I_p max(0, N·L), as the quadratic decides.
 // ORACLE     known render: 5-9 ... 5-11 and 2-3 per pixel, in long double.
 // TOLERANCE  silhouette: a pixel is decided unless |γ| ≤ 2 d R · kDirectionError · 4 (a turn of the ray by δ moves γ by 2 d R δ);
 //            none is undecided. Shading: the turn moves the point by d δ R/√γ, hence the normal by d δ/√γ.
 TEST(KnownRender, OfASphereIsRightInEveryPixel) {
-  proves({"IU.5.2", "IU.2-3", "IU.5-11"}, Oracle::render, "sphere and Lambert's cosine, pixel by pixel in long double");
+  proves({"IU.5.2", "IU.2-3", "IU.5-8", "IU.5-9", "IU.5-10", "IU.5-11", "RT.1", "RT.2"}, Oracle::render,
+         "sphere and Lambert's cosine, pixel by pixel in long double");
   const Scene scene = lone_sphere();
   const Sphere& sphere = std::get<Sphere>(scene.objects[0].shape);
   const Long3 to_light = to_long(std::get<DirectionalLight>(scene.lights[0]).direction);

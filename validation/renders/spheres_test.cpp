@@ -122,7 +122,8 @@ void check(const std::string& folder, const std::vector<Row>& table) {
 //            the steepness (a facet's arrow, (π/256)²/2 = 7.5e-5, as a share of the radius, times ten for points and normals
 //            that it moves).
 TEST(KnownRender, OfMattSpheresIsFigures8And9) {
-  proves({"IU.f8", "IU.f9", "IU.2-3", "IU.2-4"}, Oracle::render, "spheres and the equations in long double");
+  proves({"IU.f8", "IU.f9", "IU.2-1", "IU.2-2", "IU.2-3", "IU.2-4"}, Oracle::render,
+         "spheres and the equations in long double");
   check("matt-spheres", {{0.1L, 0, 0, 1},
                          {0.4L, 0, 0, 1},
                          {0.7L, 0, 0, 1},
@@ -138,7 +139,7 @@ TEST(KnownRender, OfMattSpheresIsFigures8And9) {
 // ORACLE     known render: the spheres and the equation in long double.
 // TOLERANCE  as above.
 TEST(KnownRender, OfGlossySpheresIsFigure13) {
-  proves({"IU.f13", "IU.2-7"}, Oracle::render, "spheres and the equation in long double");
+  proves({"IU.f13", "IU.2.7", "IU.2-6", "IU.2-7"}, Oracle::render, "spheres and the equation in long double");
   std::vector<Row> table;
   for (const Long k_s : {0.25L, 0.5L}) {
     for (const Long n : {3.0L, 10.0L, 100.0L}) table.push_back({0.4L, 0.2L, k_s, n});
