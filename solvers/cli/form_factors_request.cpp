@@ -44,7 +44,6 @@ void FormFactorsRequest::declare(Options& options) {
                  "of the lengths in a .vs3, .obj or .stl file, for areas in square metres", unit);
   options.flag("--resume", "go on with the run that left FILE.checkpoint", resume);
   add_common(options, common, "write the matrix: .csv, .npy, .mtx, .json, or .vf as View3D does");
-  options.alias("-o", "--output");
   options.note(
       "Row i of the matrix holds the factors from surface i. Without --output a summary is printed. While the matrix\n"
       "grows it lies in FILE.checkpoint: after Ctrl-C (exit code 6) or a crash, --resume goes on with it, to the same\n"

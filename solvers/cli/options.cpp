@@ -284,6 +284,7 @@ void Options::print_help(std::ostream& out) const {
 
 void add_common(Options& options, CommonOptions& common, const std::string& output_help) {
   options.path("--output", "FILE", output_help, common.output);
+  options.alias("-o", "--output");
   add_running(options, common);
 }
 

@@ -59,6 +59,12 @@ ImageMetadata metadata(const RenderRequest& request, const SceneFile& file, cons
   return facts;
 }
 
+std::optional<ImagePlace> place(const RenderRequest& request, const SceneFile& file) {
+  const auto& window = request.render.crop;
+  if (!window) return std::nullopt;
+  return ImagePlace{window->left, window->top, file.scene.camera.columns, file.scene.camera.rows};
+}
+
 /// The camera of --cube is not the scene's.
 void add_eye(ImageMetadata& facts, const RenderRequest& request, const Camera& camera) {
   if (request.hide) facts.emplace_back("etendue:hidden", *request.hide);
@@ -173,7 +179,7 @@ Result<RenderFiles> write_rendering(const RenderRequest& request, const SceneFil
   RenderFiles files = render_files(request, rendering.complete);
   ImageMetadata facts = metadata(request, file, rendering);
   add_eye(facts, request, file.scene.camera);
-  const auto exr = encode_image(files.exr, rendering.image, facts, channels(request, rendering));
+  const auto exr = encode_image(files.exr, rendering.image, facts, channels(request, rendering), place(request, file));
   if (!exr) return exr.error();
   const ToneMapping how = mapping(request.tone, 1);
   const ToneMapped displayed = tone_mapped(rendering.image, how);

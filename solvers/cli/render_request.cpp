@@ -25,7 +25,7 @@ std::vector<std::string> parts(const std::string& text, char separator) {
   std::vector<std::string> all;
   std::istringstream words(text);
   for (std::string word; std::getline(words, word, separator);) all.push_back(word);
-  if (!text.empty() && text.back() == separator) all.emplace_back();
+  if (text.empty() || text.back() == separator) all.emplace_back();
   return all;
 }
 

@@ -76,7 +76,6 @@ void declare(Options& options, Request& request) {
   options.flag("--repair-closure", "change factors by least squares until rows sum to one and A_i F_ij = A_j F_ji",
                request.repair);
   add_common(options, request.common, "result as CSV (default: standard output)");
-  options.alias("-o", "--output");
   options.note(
       "The result has a header and then a row a patch: index from 0, the radiosity of each channel [W/m²], and of "
       "each\n"

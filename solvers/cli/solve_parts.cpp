@@ -68,7 +68,6 @@ void add_results(Options& options, SolutionRequest& request) {
   add_common(options, request.common,
              "NAME.exr or NAME.png: writes both and NAME.json (default: the scene's name, in this folder;\n"
              "NAME-radiosity where NAME.json is the scene)");
-  options.alias("-o", "--output");
   options.paths("--write", "FILE",
                 "also: .csv, .npy (numbers), .vtu (ParaView), .obj, .gltf, .glb (coloured surfaces); repeatable",
                 request.written);

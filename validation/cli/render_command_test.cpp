@@ -2,9 +2,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "etendue/io/image_file.hpp"
 #include "support/evidence.hpp"
@@ -25,6 +27,18 @@ std::string ball_scene(const std::string& degrees, const std::string& resolution
          degrees + R"(, "resolution": )" + resolution + R"(},
  "materials": {"grey": {"k_d": 0.5}},
  "objects": [{"type": "sphere", "name": "ball", "material": "grey", "centre": [0, 0, 0], "radius": 1}]})";
+}
+
+/// The four numbers of a window in an OpenEXR header: attribute "name", its type "box2i", its size, the numbers.
+std::vector<std::int32_t> exr_window(const std::filesystem::path& path, const std::string& name) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  const std::string text = bytes.str(), head = name + '\0' + "box2i" + '\0';
+  const std::size_t at = text.find(head);
+  std::vector<std::int32_t> window(4, -1);
+  if (at == std::string::npos || at + head.size() + 20 > text.size()) return window;
+  std::memcpy(window.data(), text.data() + at + head.size() + 4, 16);
+  return window;
 }
 
 /// While one lives, this program and those that it starts may have so many bytes of address space, beyond what this one
@@ -62,7 +76,7 @@ TEST(RenderCommand, WarnsOfAMaterialThatAddsLight) {
  "objects": [{"type": "plane", "material": "bright pane", "point": [0, 0, 0], "normal": [0, 0, 1]}]})")
                                 .string();
   const std::string picture = (folder.path() / "pane.exr").string();
-  const Ended loud = run_etendue({"render", scene, "--samples", "1", "--output", picture});
+  const Ended loud = run_etendue({"render", scene, "--samples", "1", "-o", picture});
   EXPECT_EQ(loud.code, 0);
   EXPECT_EQ(loud.err,
             "etendue render: warning: " + scene +
@@ -161,7 +175,7 @@ TEST(RenderCommand, RefusesAPictureThatNoMemoryHolds) {
 }
 
 // CLAIM      --crop, --size, --sampling, --filter, --aov and --preview do what they say: the crop has the bits of the whole, the EXR the
-//            channels, the preview ends as the PNG.
+//            channels and its place, the preview ends as the PNG.
 // ORACLE     metamorphic: the whole picture.
 // TOLERANCE  none.
 TEST(RenderCommand, CropsFiltersAndAddsChannels) {
@@ -192,6 +206,9 @@ TEST(RenderCommand, CropsFiltersAndAddsChannels) {
       wrong += (small->at(column, row) != large->at(column + 8, row + 5)).any() ? 1u : 0u;
   }
   EXPECT_TRUE(all_agree(wrong, 21 * 12));
+  EXPECT_TRUE(holds(exr_window(folder.path() / "part.exr", "dataWindow") == std::vector<std::int32_t>{8, 5, 28, 16}));
+  EXPECT_TRUE(
+      holds(exr_window(folder.path() / "part.exr", "displayWindow") == std::vector<std::int32_t>{0, 0, 39, 29}));
   const auto look = read_image(folder.path() / "look.png"), shown = read_image(folder.path() / "whole.png");
   ASSERT_TRUE(look.ok() && shown.ok());
   wrong = 0;
@@ -259,6 +276,7 @@ TEST(RenderCommand, RefusesWhatMeansNothing) {
       {{"--sampling", "adaptive", "--threshold", "nan"}, "a contrast in [0, 1]"},
       {{"--sampling", "adaptive", "--samples", "3"}, "is not 1, 2, 4, 8 or 16"},
       {{"--aov", "depht"}, "some of depth, normal"},
+      {{"--aov", ""}, "some of depth, normal"},
       {{"--preview", "a.exr"}, "a name that ends in .png"},
       {{"--ray-tree", "1,1", "--resume"}, "makes no picture"},
   };

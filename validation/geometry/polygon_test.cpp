@@ -344,8 +344,9 @@ TEST(Polygon, RefusesWhatIsNoPolygon) {
   EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, inf, 0}, {0, 1, 0}}), "vertex 1 = (1, inf, 0) is not finite")));
   EXPECT_TRUE(
       holds(names(refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}), "vertices 3 and 0 coincide at (0, 0, 0)")));
-  EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}), "is zero")));
-  EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {0.1, 0.2, 0.3}, {0.7, 1.4, 2.1}}), "narrower than the rounding")));
+  EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}), "has no area")));
+  EXPECT_TRUE(holds(
+      names(refusal({{0, 0, 0}, {0.1, 0.2, 0.3}, {0.7, 1.4, 2.1}}), "has no area: its vertices lie on one line")));
   EXPECT_TRUE(holds(names(refusal({{0, 0, 0}, {1, 0, 0}, {1, 1, 0.001}, {0, 1, 0}}), "off the plane")));
   EXPECT_TRUE(
       holds(names(refusal({{0, 0, 0}, {3, 0, 0}, {1, 2, 0}, {1, -1, 0}}), "edges 0-1 (0, 0, 0) to (3, 0, 0) and 2-3")));
@@ -384,7 +385,7 @@ TEST(Polygon, AcceptsExactlySimpleChains) {
       vertices.push_back({p.x(), p.y(), 0});
     }
     const std::string answer = refusal(vertices);
-    if (names(answer, "is zero") || names(answer, "coincide")) continue;
+    if (names(answer, "has no area") || names(answer, "coincide")) continue;
     const bool truth = oracle::is_simple(exact_flat(vertices, 2));
     ++chains;
     simple += truth;

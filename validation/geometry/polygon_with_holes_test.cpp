@@ -122,7 +122,7 @@ TEST(PolygonWithHoles, RefusesWhatIsNoHole) {
       {{small, {{0.5, 0.5, 0}, {3, 0.5, 0}, {3, 3, 0}, {0.5, 3, 0}}}, "polygon: hole 0 lies within hole 1"},
       {{{{1, 1, 0.25}, {2, 1, 0.25}, {2, 2, 0.25}}},
        "polygon: hole 0: vertex 0 = (1, 1, 0.25) is 0.25 off the polygon's plane; 3.64153e-12 is allowed"},
-      {{{{1, 1, 0}, {2, 1, 0}, {3, 1, 0}}}, "polygon: hole 0: area 0 is zero"},
+      {{{{1, 1, 0}, {2, 1, 0}, {3, 1, 0}}}, "polygon: hole 0: has no area"},
       {{{{1, 1, 0}, {2, 2, 0}, {2, 1, 0}, {1, 2, 0}}}, "polygon: hole 0: edges 0-1 (1, 1, 0) to (2, 2, 0) and 2-3"},
       {{{{1, 1, 0}, {2, 1, 0}}}, "polygon: hole 0: has 2 vertices; at least 3 are needed"},
       {{{{1, 1, 0}, {2, 1, nan}, {2, 2, 0}}}, "polygon: hole 0: vertex 1 = (2, 1, nan) is not finite"},

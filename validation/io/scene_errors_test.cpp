@@ -85,7 +85,7 @@ const std::vector<Planted>& planted_errors() {
       {R"("patches": [5, 5])", R"("patches": [3, 5])", 11, "/objects/2/patches",
        "found [3, 5], expected divisors of the elements [10, 5] (object 'back wall')"},
       {R"([[-90, 0, 0], [-60, 0, 0], [-75, 20, 40]])", R"([[-90, 0, 0], [-60, 0, 0], [-75, 0, 0]])", 0,
-       "/objects/3/vertices", "found three vertices on one line, expected a triangle with an area"},
+       "/objects/3/vertices", "found three vertices that lie on one line, expected a triangle with an area"},
       {R"([[-90, 0, 0], [-60, 0, 0], [-75, 20, 40]])", R"([])", 0, "/objects/3/vertices",
        "found an array of 0 items, expected an array of 3 vertices"},
       {R"("angle_deg": 30)", R"("angle_deg": 40000)", 13, "/objects/6/transform/0/rotate/angle_deg",

@@ -9,11 +9,15 @@
 namespace etendue::validation {
 namespace {
 
-std::string message_of(const TemporaryFolder& folder, const std::string& objects) {
-  const auto path = folder.add("scene.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
+std::string scene_of(const std::string& objects) {
+  return R"({"format": "etendue-scene", "version": 1, "unit": "m",
 "camera": {"eye": [0, -4, 0], "gaze": [0, 1, 0], "up": [0, 0, 1], "horizontal_fov_deg": 60, "resolution": [8, 6]},
-"materials": {"a": {}}, "objects": )" + objects + "}");
-  const auto scene = read_scene(path);
+"materials": {"a": {}}, "objects": )" +
+         objects + "}";
+}
+
+std::string message_of(const TemporaryFolder& folder, const std::string& objects) {
+  const auto scene = read_scene(folder.add("scene.json", scene_of(objects)));
   if (scene) return "accepted";
   const std::string& message = scene.error().message;
   return message.substr(message.find(": ") + 2);
@@ -83,9 +87,8 @@ const std::vector<Fault>& faults() {
           [[2, 0, 0], [2, 0, 1], [2, 0, 2], [2, 0, 3]], [[3, 0, 0], [3, 0, 1], [3, 0, 2], [3, 0, 3]]])",
        "/control/0", "found an array of 3 items, expected an array of 4 points"},
       {R"("type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [2, 0, 0]])", "/vertices",
-       "found a polygon that is none: area 0 is zero: it is narrower than the rounding of its coordinates (2); "
-       "expected a "
-       "flat one whose edges do not cross"},
+       "found a polygon that is none: has no area: its vertices lie on one line, to the rounding of coordinates as "
+       "large as 2; expected a flat one whose edges do not cross"},
       {R"("type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0.125], [0, 1, 0]])", "/vertices",
        "found a polygon that is none: vertex 0 = (0, 0, 0) is 0.0207524 off the plane; 9.10383e-13 is allowed (use "
        "triangles); expected a flat one whose edges do not cross"},
@@ -101,7 +104,10 @@ const std::vector<Fault>& faults() {
        "found hole 1 lies outside the polygon; expected holes inside the polygon, in its plane and apart from each "
        "other"},
       {R"("type": "triangle", "vertices": [[0, 0, 0], [1, 1, 1], [2, 2, 2]])", "/vertices",
-       "found three vertices on one line, expected a triangle with an area"},
+       "found three vertices that lie on one line, expected a triangle with an area"},
+      {R"("type": "triangle", "vertices": [[0, 0, 0], [1e-200, 0, 0], [0, 1e-200, 0]])", "/vertices",
+       "found three vertices that lie within 1e-200 of each other, less than 2^-120 = 7.52e-37, expected a triangle "
+       "with an area"},
   };
   return all;
 }
@@ -134,6 +140,31 @@ TEST(ShapeErrors, SayWhatIsWrongWithEachShape) {
   const std::string none = message_of(folder, "[]");
   EXPECT_TRUE(holds(none == "/objects: found an array of 0 items, expected an array of 1 or more objects\n1 error"))
       << none;
+}
+
+// CLAIM      a quad of a mesh whose corners lie in no plane is taken as two triangles, and a warning says how many there
+//            are and how far the worst is off; single precision's rounding is no reason to speak.
+// ORACLE     closed form: of the unit square with one corner raised by h, corners are h/(2 √(4+2h²)) off the middle plane.
+// TOLERANCE  none: the message is known to the letter.
+TEST(ShapeErrors, WarnOfQuadsThatAreNotFlat) {
+  proves({"IU.5.0"}, Oracle::closed_form, "the unit square with a raised corner");
+  const TemporaryFolder folder;
+  const auto warnings = [&](const std::string& height) {
+    const auto scene = read_scene(folder.add(
+        "scene.json",
+        scene_of(R"([{"material": "a", "type": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, )" + height +
+                 R"(], [0, 1, 0], [2, 0, 0], [2, 1, 0]], "quads": [[0, 4, 5, 3], [0, 1, 2, 3]]}])")));
+    EXPECT_TRUE(scene.ok());
+    return scene ? scene->warnings : std::vector<std::string>();
+  };
+  EXPECT_TRUE(holds(warnings("1e-8").empty()));
+  const auto found = warnings("0.5");
+  ASSERT_EQ(found.size(), 1U);
+  // h = 0.5: 0.118 of the edge, and the longer diagonal is 1.5.
+  EXPECT_NE(found[0].find("/objects/0/quads: found 1 quad whose corners do not lie in a plane, the most uneven 1 with "
+                          "corners 0.0786 of its diagonal off"),
+            std::string::npos)
+      << found[0];
 }
 
 }  // namespace

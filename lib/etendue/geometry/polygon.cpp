@@ -129,9 +129,8 @@ Result<Polygon> Polygon::make(std::vector<Vec3> vertices) {
   const double allowed = kPlanarity * extent.size + kCoordinateRounding * extent.coordinate;
   if (polygon.area_ <= kNarrowest * extent.coordinate * extent.size) {
     if (auto crossing = crossing_without_area(vertices, allowed)) return *crossing;
-    return refusal("area " + short_text(polygon.area_) +
-                   " is zero: it is narrower than the rounding of its coordinates (" + short_text(extent.coordinate) +
-                   ")");
+    return refusal("has no area: its vertices lie on one line, to the rounding of coordinates as large as " +
+                   short_text(extent.coordinate));
   }
   polygon.normal_ = twice_area.normalized();
   polygon.centroid_ = area_centroid(vertices, polygon.normal_);

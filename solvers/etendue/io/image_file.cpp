@@ -181,7 +181,7 @@ Result<Done> write_image(const fs::path& path, const Image& image, const ImageMe
 }
 
 Result<NewFile> encode_image(const fs::path& path, const Image& image, const ImageMetadata& metadata,
-                             const std::vector<ImageChannel>& further) {
+                             const std::vector<ImageChannel>& further, const std::optional<ImagePlace>& place) {
   if (auto fit = check_image_path(path); !fit) return fit.error();
   if (image.columns < 1 || image.rows < 1) return unfit(path, "has no pixels");
   if (const auto pixel = find_unfit_pixel(image)) return unfit(path, *pixel);
@@ -197,7 +197,10 @@ Result<NewFile> encode_image(const fs::path& path, const Image& image, const Ima
   }
   std::vector<float> linear;
   std::vector<unsigned char> bytes;
-  EtendueSamples samples{image.columns, image.rows, static_cast<int>(names.size()), nullptr, nullptr, nullptr};
+  const ImagePlace at = place.value_or(ImagePlace{0, 0, image.columns, image.rows});
+  EtendueSamples samples{
+      image.columns,    image.rows,   static_cast<int>(names.size()), nullptr, nullptr, nullptr, at.left, at.top,
+      at.whole_columns, at.whole_rows};
   if (format == Format::exr) {
     linear = linear_samples(image, further);
     samples.linear = linear.data();

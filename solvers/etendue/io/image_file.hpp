@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,12 @@ struct ImageChannel {
   std::vector<float> values;
 };
 
+/// Where a picture lies in a larger one, of which it is a part.
+struct ImagePlace {
+  int left, top;                  ///< column and row of its upper left pixel
+  int whole_columns, whole_rows;  ///< size of the larger one
+};
+
 /// 2^28 pixels: 6 GiB of doubles. What a corrupt header claims is refused before it is allocated.
 inline constexpr long long kMostImagePixels = 1LL << 28;
 
@@ -36,12 +43,14 @@ inline constexpr long long kMostImagePixels = 1LL << 28;
                                        const ImageMetadata& metadata = {});
 
 /// The bytes that write_image() would write to this path, of which only the extension matters: for files that are to
-/// appear together (write_files()). An .exr can hold `further` channels.
+/// appear together (write_files()). An .exr can hold `further` channels, and says by its data window where in a larger
+/// picture it lies.
 ///
-/// Domain    each of these has as many values as the image has pixels, all finite; none for .png
+/// Domain    each channel has as many values as the image has pixels, all finite; none for .png
 [[nodiscard]] Result<NewFile> encode_image(const std::filesystem::path& path, const Image& image,
                                            const ImageMetadata& metadata = {},
-                                           const std::vector<ImageChannel>& further = {});
+                                           const std::vector<ImageChannel>& further = {},
+                                           const std::optional<ImagePlace>& place = {});
 
 /// Refuses an extension other than .exr and .png, and where the module that holds OpenImageIO is missing: to be asked
 /// before a long computation, as check_writable() is.

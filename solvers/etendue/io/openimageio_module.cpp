@@ -32,7 +32,11 @@ bool write(const char* format, const EtendueSamples* samples, const char* const*
   const OIIO::TypeDesc type = samples->bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
   OIIO::ImageSpec spec(samples->columns, samples->rows, samples->channels, type);
   spec.attribute("oiio:ColorSpace", samples->bytes ? "sRGB" : "Linear");
-  if (!samples->bytes) spec.attribute("compression", "zip");
+  if (!samples->bytes) {
+    spec.attribute("compression", "zip");
+    spec.x = samples->left, spec.y = samples->top;
+    spec.full_width = samples->whole_columns, spec.full_height = samples->whole_rows;
+  }
   if (samples->names) spec.channelnames.assign(samples->names, samples->names + samples->channels);
   for (int i = 0; i < pairs; ++i) spec.attribute(metadata[2 * i], metadata[2 * i + 1]);
   OIIO::Filesystem::IOVecOutput bytes;

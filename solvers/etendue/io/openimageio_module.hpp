@@ -14,6 +14,8 @@ struct EtendueSamples {
   const char* const* names;    ///< of the channels; null: R, G, B
   const float* linear;         ///< for .exr; null otherwise
   const unsigned char* bytes;  ///< for .png: sRGB-encoded; null otherwise
+  int left, top;               ///< for .exr: where its upper left pixel lies in the whole picture
+  int whole_columns, whole_rows;
 };
 
 /// Called once with the size of a picture; returns where to put columns · rows · channels floats, or null to give up.
@@ -40,4 +42,4 @@ struct EtendueImageModule {
 const EtendueImageModule* etendue_image_module();
 }
 
-inline constexpr int kEtendueImageInterface = 3;
+inline constexpr int kEtendueImageInterface = 4;

@@ -70,8 +70,8 @@ std::optional<Shape> read_triangle(const SceneNode& node, const Placement& place
     if (!usable(vertex)) return out_of_range(node);
   }
   const Triangle triangle{(*vertices)[0], (*vertices)[1], (*vertices)[2]};
-  if (!has_area(triangle)) {
-    member->complain("found three vertices on one line, expected a triangle with an area");
+  if (const auto fault = fault_of_area(triangle)) {
+    member->complain("found three vertices that " + *fault + ", expected a triangle with an area");
     return std::nullopt;
   }
   return triangle;
