@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render_command.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ostream>
 
@@ -143,11 +144,26 @@ Result<Rendering> rendered(const RenderRequest& request, const SceneFile& file, 
 }
 
 /// --method raytrace, with all options settled: renders, writes, reports; returns the exit code.
+/// Warns of each material of an object that the rasteriser sees through, and no ray.
+void tell_opaque_to_rays(const Scene& scene, std::ostream& err) {
+  std::vector<std::string> warnings;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    const bool used =
+        std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& o) { return o.material == m; });
+    if (!used || !material.see_through || material.k_t > 0) continue;
+    warnings.push_back("rays do not see through '" + printable(material.name) +
+                       "': its \"see_through\" is for --method raster, rays pass by \"k_t\"");
+  }
+  warn(err, kName, warnings);
+}
+
 int render_by_rays(const RenderRequest& request, const Options& options, const SceneFile& file, std::ostream& out,
                    std::ostream& err) {
   const auto made = named_accelerator(request.accelerator, file.scene);
   if (!made) return fail(err, kName, made.error());
   const Accelerator& accelerator = **made;
+  if (!request.common.quiet) tell_opaque_to_rays(file.scene, err);
   if (request.pixel) return explain_pixel(request, options, file, accelerator, out, err);
 
   const auto begin = Clock::now();

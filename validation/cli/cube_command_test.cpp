@@ -92,15 +92,16 @@ TEST(CubeCommand, RefusesWhatItCannotDo) {
   EXPECT_TRUE(refused({"--cube", "0,0,0", "--resume"}, 2, "option '--resume' is for one picture"));
   EXPECT_TRUE(
       refused({"--hide", "miror"}, 2, "option '--hide': found 'miror', expected the name of an object or a group"));
-  const auto unread = [&](const std::string& more, const std::string& words) {
+  const auto unread = [&](const std::string& more, int code, const std::string& words) {
     const std::string path = folder.add("mapped.json", six_spheres(more)).string();
     const Ended ended = run_etendue({"render", path, "--quiet", "--output", name});
-    return holds(ended.code == 3 && ended.err.find(words) != std::string::npos) << ended.code << " " << ended.err;
+    return holds(ended.code == code && ended.err.find(words) != std::string::npos) << ended.code << " " << ended.err;
   };
-  EXPECT_TRUE(unread(R"(, "environment": "absent")", "absent.right.png"));
-  EXPECT_TRUE(unread(R"(, "k_t": 0, "environment": 3)", "environment: found 3, expected a text in quotes"));
+  EXPECT_TRUE(unread(R"(, "environment": "absent")", 5, "absent.right.png"));
+  EXPECT_TRUE(unread(R"(, "k_t": 0, "environment": 3)", 3, "environment: found 3, expected a text in quotes"));
   folder.add("wrong.right.exr", "no image");
-  EXPECT_TRUE(unread(R"(, "environment": "wrong")", "environment: found \"wrong\", expected the name of six images"));
+  EXPECT_TRUE(
+      unread(R"(, "environment": "wrong")", 5, "environment: found \"wrong\", expected the name of six images"));
   const std::string dull = folder
                                .add("dull.json", R"({"format": "etendue-scene", "version": 1, "unit": "m",
     "camera": {"eye": [0, 0, 0], "gaze": [0, 1, 0], "up": [0, 0, 1], "horizontal_fov_deg": 60, "resolution": [4, 4]},

@@ -49,6 +49,25 @@ TEST(RasterCommand, DrawsAndSaysWhatIsMissing) {
             "shadows; --method raytrace has them\n");
 }
 
+// CLAIM      A material that only the rasteriser sees through is named where rays are traced; it is not with --quiet, nor by
+//            the rasteriser.
+// ORACLE     table: the scene's materials.
+// TOLERANCE  none.
+TEST(RasterCommand, NamesWhatRaysDoNotSeeThrough) {
+  proves({"IU.4.4a"}, Oracle::table, "the materials of figure 28");
+  const TemporaryFolder folder;
+  const auto told = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", scene("see-through"), "--size", "9x6", "--output",
+                                     (folder.path() / "vase.png").string()});
+    const Ended ended = run_etendue(options);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.err.find("warning: rays do not see through '") != std::string::npos;
+  };
+  EXPECT_TRUE(holds(told({"--samples", "1"})));
+  EXPECT_TRUE(holds(!told({"--samples", "1", "--quiet"})));
+  EXPECT_TRUE(holds(!told({"--method", "raster"})));
+}
+
 // CLAIM      Options of one method are refused with the other, by name; scan lines outside of the picture too.
 // ORACLE     table: the options and what belongs to which.
 // TOLERANCE  none.

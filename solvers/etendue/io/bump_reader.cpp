@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "etendue/io/texture_reader.hpp"
+
 namespace etendue {
 
 namespace {
@@ -13,7 +15,6 @@ namespace {
 /// Waves, cells and copies along a coordinate, and places of a table.
 constexpr long kMostAlong = 4096;
 constexpr std::size_t kMostPlaces = std::size_t{1} << 20;
-constexpr long kMostSeed = 2147483647;  // as of the option --seed
 /// The sine that directions of a few digits leave, as for checkerboards.
 constexpr double kLeastSine = 1e-6;
 
@@ -95,8 +96,7 @@ std::optional<MaterialBump> read_bump(const SceneNode& node, double scale) {
   const auto [waves_u, waves_v] = two(node, "waves", 0, 1);
   const auto [cells_u, cells_v] = two(node, "cells", 1, 1);
   const double amplitude = height(node, scale, 0);
-  const auto seed_node = node.member("seed");
-  const auto seed = seed_node ? seed_node->integer(0, kMostSeed) : std::nullopt;
+  const std::uint64_t seed = read_seed(node);
   if (type == "table") {
     TableRelief table = read_table(node, scale);
     if (table.rows < 1 || table.heights.size() % static_cast<std::size_t>(table.columns) != 0) return std::nullopt;
@@ -106,7 +106,7 @@ std::optional<MaterialBump> read_bump(const SceneNode& node, double scale) {
       node.member("cells")->complain("found more than 2^20 cells, expected fewer");
       return std::nullopt;
     }
-    bump.relief = random_relief(cells_u, cells_v, amplitude, static_cast<std::uint64_t>(seed.value_or(0)));
+    bump.relief = random_relief(cells_u, cells_v, amplitude, seed);
   } else if (type) {
     bump.relief = WaveRelief{amplitude, waves_u, waves_v};
   } else {

@@ -36,27 +36,29 @@ std::string fault(const Image& image) {
 
 }  // namespace
 
-std::string EnvironmentFiles::add_face(const fs::path& stem, CubeFace face, CubeImages& images) {
+Result<Done> EnvironmentFiles::add_face(const fs::path& stem, CubeFace face, CubeImages& images) {
   const std::string name = stem.string() + "." + face_name(face);
   std::error_code absent;
   const fs::path path = fs::exists(name + ".exr", absent) ? name + ".exr" : name + ".png";
   const auto bytes = read_file(path);
-  if (!bytes) return bytes.error().message + " (nor is there an .exr of that name)";
+  if (!bytes) return Error{ErrorCode::input_output, bytes.error().message + " (nor is there an .exr of that name)"};
   const auto image = read_image(path);
-  if (!image) return image.error().message;
+  if (!image) return image.error();
+  const auto unfit = [](const std::string& what) { return Error{ErrorCode::invalid_input, what}; };
   const std::string quoted = quoted_path(path);
   if (image->columns != image->rows || image->columns > kLargestCubeImage) {
-    return quoted + " has " + size_text(*image) + ", expected a square of at most " + std::to_string(kLargestCubeImage);
+    return unfit(quoted + " has " + size_text(*image) + ", expected a square of at most " +
+                 std::to_string(kLargestCubeImage));
   }
   if (face != kCubeFaces.front() && image->columns != images.size)
-    return quoted + " has " + size_text(*image) + ", expected " + std::to_string(images.size) +
-           " each way, as the first";
-  if (const std::string wrong = fault(*image); !wrong.empty()) return quoted + " " + wrong;
+    return unfit(quoted + " has " + size_text(*image) + ", expected " + std::to_string(images.size) +
+                 " each way, as the first");
+  if (const std::string wrong = fault(*image); !wrong.empty()) return unfit(quoted + " " + wrong);
   fingerprint_.add(*bytes).add(std::to_string(bytes->size()));
   files_.push_back(path);
   images.size = image->columns;
   images.pixels[static_cast<std::size_t>(face)] = image->pixels;
-  return {};
+  return Done{};
 }
 
 std::shared_ptr<const CubeMap> EnvironmentFiles::read(const SceneNode& prefix) {
@@ -67,12 +69,15 @@ std::shared_ptr<const CubeMap> EnvironmentFiles::read(const SceneNode& prefix) {
   auto& map = known_[stem];
   CubeImages images;
   for (const CubeFace face : kCubeFaces) {
-    if (const std::string wrong = add_face(stem, face, images); !wrong.empty()) {
-      prefix.expected(
-          "the name of six images, to which .right, .left, .back, .front, .top, .bottom and .exr or .png are added: " +
-          wrong);
-      return nullptr;
-    }
+    const auto added = add_face(stem, face, images);
+    if (added) continue;
+    const std::string message =
+        "found \"" + printable(*text) +
+        "\", expected the name of six images, to which .right, .left, .back, .front, .top, .bottom "
+        "and .exr or .png are added: " +
+        added.error().message;
+    added.error().code == ErrorCode::input_output ? prefix.cannot_be_read(message) : prefix.complain(message);
+    return nullptr;
   }
   map = std::make_shared<const CubeMap>(images);
   return map;

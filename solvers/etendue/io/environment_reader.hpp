@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "etendue/core/result.hpp"
 #include "etendue/io/scene_node.hpp"
 #include "etendue/text/fingerprint.hpp"
 
@@ -33,7 +34,7 @@ class EnvironmentFiles {
 
  private:
   /// Adds the image of a face, or says what is wrong with it.
-  std::string add_face(const std::filesystem::path& stem, CubeFace face, CubeImages& images);
+  [[nodiscard]] Result<Done> add_face(const std::filesystem::path& stem, CubeFace face, CubeImages& images);
 
   Fingerprint& fingerprint_;
   std::filesystem::path folder_;
