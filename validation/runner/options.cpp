@@ -123,7 +123,7 @@ Options
   --report FILE        write an HTML page to FILE, complete in itself: verdict, margins, claims, tolerances
   --quiet              print failures and the closing line only
   --list               print each test with what it proves, and stop
-  --claims             print the register with its verdicts, and stop
+  --claims             print the register, a row a claim: verdict, kinds of oracle, tests (tabs between them), and stop
   --update-references WHICH --reason WHY
                        render the pictures of scenes/references.json whose paths begin with WHICH (or all) again, replace
                        those that changed, and record version, day and reason

@@ -34,9 +34,10 @@ std::string tests_and_claims() {
     const auto& suite = *unit.GetTestSuite(s);
     for (int t = 0; t < suite.total_test_count(); ++t) {
       const std::string test = std::string(suite.name()) + "." + suite.GetTestInfo(t)->name();
-      text += test;
+      text += test + "\t";
       for (const auto& evidence : collected_evidence()) {
         if (evidence.test != test) continue;
+        text += evidence.kind + "\t";
         for (const auto& claim : evidence.claims) text += " " + claim;
       }
       text += "\n";
@@ -79,7 +80,8 @@ std::vector<TestClaims> parse(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     TestClaims& test = tests.emplace_back();
-    words >> test.test;
+    std::getline(words, test.test, '\t');
+    std::getline(words, test.oracle, '\t');
     for (std::string id; words >> id;) test.claims.push_back(id);
   }
   return tests;

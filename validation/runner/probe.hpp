@@ -10,7 +10,8 @@ namespace etendue::validation {
 
 /// A test and the ids that it proves.
 struct TestClaims {
-  std::string test;  ///< Suite.Name
+  std::string test;    ///< Suite.Name
+  std::string oracle;  ///< the kind that its first proves() names; empty where it has none
   std::vector<std::string> claims;
 };
 

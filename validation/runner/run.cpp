@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <set>
 
 #include "cli/stop.hpp"
 #include "etendue/core/version.hpp"
@@ -51,16 +52,33 @@ BuildInfo build_info() {
   return {version(), compiler, ETENDUE_BUILD_TYPE, ETENDUE_FP_CONTRACT, utc_now(), 0, "etendue-validate"};
 }
 
+/// "exact arithmetic, table": the kinds of oracle of a row's tests, and a tab, and the tests' names.
+std::string oracles_and_tests(const std::vector<TestClaims>& tests, const std::string& id) {
+  std::set<std::string> kinds;
+  std::string oracles, names;
+  for (const auto& test : tests) {
+    if (std::find(test.claims.begin(), test.claims.end(), id) == test.claims.end()) continue;
+    kinds.insert(test.oracle);
+    names += (names.empty() ? "" : " ") + test.test;
+  }
+  for (const auto& kind : kinds) oracles += (oracles.empty() ? "" : ", ") + kind;
+  return oracles + "\t" + names;
+}
+
 int print_claims(const Register& all) {
+  const auto tests = probe_tests();
+  if (!tests) return fail(tests.error());
+  std::cout << "claim\tverdict\toracles\ttests\tstatement\n";
   for (const auto& claim : all.claims) {
-    std::cout << claim.id << "\t" << name(claim.verdict) << "\t" << claim.statement;
+    std::cout << claim.id << "\t" << name(claim.verdict) << "\t" << oracles_and_tests(*tests, claim.id) << "\t"
+              << claim.statement;
     if (!claim.formula.empty()) std::cout << "  " << claim.formula;
     for (const auto& erratum : claim.errata) std::cout << " [" << erratum << "]";
     std::cout << "\n";
   }
   for (const auto& erratum : all.errata) {
-    std::cout << erratum.id << "\t" << name(erratum.verdict) << "\tprinted: " << erratum.printed
-              << "; right: " << erratum.right << "\n";
+    std::cout << erratum.id << "\t" << name(erratum.verdict) << "\t" << oracles_and_tests(*tests, erratum.id)
+              << "\tprinted: " << erratum.printed << "; right: " << erratum.right << "\n";
   }
   return 0;
 }
@@ -191,6 +209,7 @@ Result<Done> init_gtest(const Options& options) {
 int run_action(const Options& options, const Register& all) {
   if (inside_probe()) return fail({ErrorCode::usage, "a probe of the tests must not start another run"});
   if (options.action == Options::Action::list) return print_tests();
+  if (options.action == Options::Action::claims) return print_claims(all);
   if (const auto writable = check_reports(options); !writable) return fail(writable.error());
   const auto filter = gtest_filter(options, all);
   if (!filter) return fail(filter.error());
@@ -220,7 +239,6 @@ int run(int argc, char** argv, std::string_view claims_json, std::string_view er
   }
   const auto all = parse_register(claims_json, errata_json);
   if (!all) return fail(all.error());
-  if (options->action == Options::Action::claims) return print_claims(*all);
   return run_action(*options, *all);
 }
 

@@ -39,7 +39,8 @@ demand("a folder in place of a report too", ["--text", "/tmp"], 5, "etendue-vali
 demand("and a device", ["--text", "/dev/null"], 5, "cannot write '/dev/null': not a regular file")
 demand("--version", ["--version"], 0, "etendue-validate 0.")
 demand("--help ends with sample runs", ["--help"], 0, "Sample runs\n  etendue-validate --claims\n")
-demand("--claims shows the register", ["--claims"], 0, "IU.6-5\t", "A_i F_ij = A_j F_ji", "R9\t")
+demand("--claims shows the register", ["--claims"], 0, "claim\tverdict\toracles\ttests\tstatement\n",
+       "IU.6-5\t", "A_i F_ij = A_j F_ji", "R9\t", "IU.5-7\tverified\tclosed form, exact arithmetic, metamorphic\tRefractAccuracy.")
 demand("--list shows what is proved", ["--list"], 0, "Evidence.RefusesNanNegativeErrorsAndEmptyChecks")
 with tempfile.TemporaryDirectory() as folder:
     json_path, junit_path = os.path.join(folder, "a.json"), os.path.join(folder, "a.xml")
