@@ -7,6 +7,7 @@
 #include "geometry/families.hpp"
 #include "oracles/line_roots.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -98,9 +99,10 @@ TEST(Quadric, CountsItsCrossingsAsSturmDoes) {
   proves({"IU.5.0"}, Oracle::exact, "Sturm's sequence of the rational quadratic");
   uses_seed(832);
   Random random(832);
+  const std::uint64_t cases = long_run(20'000);
   std::uint64_t wrong = 0, lines = 0, counts[3] = {};
   double off = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < cases; ++i) {
     Quadric quadric = random_quadric(random);
     const Vec3 target = quadric.box.centre + random.in_cube(1);
     quadric.box.half_edges.setConstant(1e15);

@@ -8,6 +8,7 @@
 #include "geometry/families.hpp"
 #include "oracles/line_roots.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -128,11 +129,12 @@ TEST(Torus, CountsItsCrossingsAsSturmDoes) {
   proves({"IU.5.0"}, Oracle::exact, "Sturm's sequence of the rational quartic");
   uses_seed(812);
   Random random(812);
+  const std::uint64_t cases = long_run(20'000);
   std::uint64_t wrong = 0, lines = 0, counts[5] = {};
   double off = 0;
-  for (int i = 0; i < 100'000; ++i) {
+  for (std::uint64_t i = 0; i < cases; ++i) {
     const Torus torus = random_torus(random);
-    Ray ray = aimed_ray(random, torus, i);
+    Ray ray = aimed_ray(random, torus, static_cast<int>(i));
     const long truth = oracle::torus_crossings(exact(ray.origin), exact(ray.direction), exact(torus.centre),
                                                exact(torus.axis), torus.ring, torus.tube);
     long found = 0;
