@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/optics/colour.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/optics/dispersion.hpp"
@@ -42,6 +44,21 @@ TEST(Observer, SeesThePublishedWhites) {
   const Eigen::Array2d day = chromaticity(tristimulus(daylight_d65()));
   EXPECT_TRUE(near(day[0], 0.31272, 1e-5));
   EXPECT_TRUE(near(day[1], 0.32903, 1e-5));
+}
+
+// CLAIM      IU.2.9b: the table of daylight D65 is the standard's, which is defined each 10 nm and interpolated linearly between.
+// ORACLE     identity: each value at 5 nm beside a ten is the mean of its neighbours; a wrong digit anywhere, but in one of the ends
+//            alone, breaks it.
+// TOLERANCE  the rounding of three values to six digits: a unit of the last one of the largest.
+TEST(Observer, KnowsDaylightAsItIsInterpolated) {
+  proves({"IU.2.9b"}, Oracle::identity, "linear interpolation between tens of nanometres");
+  const std::vector<double>& table = daylight_d65();
+  ASSERT_EQ(table.size(), 81U);  // 380 to 780 nm
+  for (std::size_t i = 1; i + 1 < table.size(); i += 2) {
+    const double largest = std::max({table[i - 1], table[i], table[i + 1]});
+    const double unit = largest >= 100 ? 1e-3 : 1e-4;
+    EXPECT_TRUE(near(table[i], (table[i - 1] + table[i + 1]) / 2, 1.001 * unit)) << 380 + 5 * i << " nm";
+  }
 }
 
 // CLAIM      IU.2.9b: XYZ goes to the monitor's RGB: white D65 to (1, 1, 1), each primary to itself; the way back is the
