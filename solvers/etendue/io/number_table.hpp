@@ -20,7 +20,7 @@ struct NumberTable {
   std::vector<std::size_t> lines = {};  ///< of text: where each row stands
 };
 
-/// Rows of numbers: NumPy's .npy (versions 1 to 3; <f8, >f8, <f4 or >f4; one or two dimensions, either order), or text in
+/// Rows of numbers: NumPy's .npy (versions 1 to 3; `<f8`, `>f8`, `<f4` or `>f4`; one or two dimensions, either order), or text in
 /// any other file: one row a line, numbers apart by commas, semicolons, blanks or tabs; empty lines and what follows a
 /// '#' do not count.
 ///

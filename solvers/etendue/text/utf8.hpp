@@ -21,7 +21,7 @@ void append_utf8(std::string& text, char32_t character);
 
 /// Text as a message may show it: one line that no terminal takes for a command, whatever a file or a file name holds.
 /// Control characters (C0, DEL, C1), line and paragraph separators and marks that turn the direction of writing appear
-/// as \n, \t, \x1b, \u202e; bytes that are not UTF-8 as \xff. Everything else stays, the backslash too: what is
+/// as `\n`, `\t`, `\x1b`, `\u202e`; bytes that are not UTF-8 as `\xff`. Everything else stays, the backslash too: what is
 /// printable already is not changed again. After `longest` characters of the text follows "…".
 [[nodiscard]] std::string printable(std::string_view text, std::size_t longest = std::string_view::npos);
 
