@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+
+#include "cli/saved_solution.hpp"
+#include "etendue/core/result.hpp"
+#include "etendue/io/camera_file.hpp"
+#include "etendue/io/image_file.hpp"
+#include "etendue/io/number_table.hpp"
+#include "etendue/io/row_file.hpp"
+#include "etendue/io/scene_reader.hpp"
+#include "etendue/io/sensor_file.hpp"
+#include "etendue/io/surface_file.hpp"
+#include "fuzz/target.hpp"
+#include "support/temporary_folder.hpp"
+
+// Whatever a file holds, its reader returns a value or says why not, naming the file.
+namespace etendue::fuzz {
+
+namespace {
+
+std::filesystem::path written(const char* name, Bytes input) {
+  static const validation::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / name;
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
+  return path;
+}
+
+template <class Value>
+void judge(const Result<Value>& result, const std::filesystem::path& path) {
+  if (result.ok()) return;
+  const std::string& message = result.error().message;
+  expect(message.find(path.filename().string()) != std::string::npos, "the message names the file");
+  expect(message.find('\0') == std::string::npos, "the message is text");
+}
+
+template <class Read>
+void read_as(const char* name, Bytes input, Read read) {
+  const auto path = written(name, input);
+  judge(read(path), path);
+}
+
+void scene(Bytes input) {
+  read_as("input.json", input, [](const auto& path) { return read_scene(path); });
+}
+void vs3(Bytes input) {
+  read_as("input.vs3", input, [](const auto& path) { return read_surfaces(path); });
+}
+void obj(Bytes input) {
+  read_as("input.obj", input, [](const auto& path) { return read_surfaces(path); });
+}
+void stl(Bytes input) {
+  read_as("input.stl", input, [](const auto& path) { return read_surfaces(path); });
+}
+void factors_csv(Bytes input) {
+  read_as("input.csv", input, [](const auto& path) { return read_factors(path); });
+}
+void factors_npy(Bytes input) {
+  read_as("input.npy", input, [](const auto& path) { return read_factors(path); });
+}
+void factors_mtx(Bytes input) {
+  read_as("input.mtx", input, [](const auto& path) { return read_factors(path); });
+}
+void sensors(Bytes input) {
+  read_as("sensors.csv", input, [](const auto& path) { return read_sensors(path, 1); });
+}
+void cameras(Bytes input) {
+  read_as("cameras.json", input, [](const auto& path) { return read_cameras(path, 1); });
+}
+void solution(Bytes input) {
+  read_as("solution.json", input, [](const auto& path) { return cli::read_saved_solution(path); });
+}
+void rows(Bytes input) {
+  read_as("input.resume", input, [](const auto& path) { return read_rows(path, {{"scene", "0"}}, 3); });
+}
+void png(Bytes input) {
+  read_as("input.png", input, [](const auto& path) { return read_image(path, 1 << 16); });
+}
+void exr(Bytes input) {
+  read_as("input.exr", input, [](const auto& path) { return read_image(path, 1 << 16); });
+}
+
+}  // namespace
+
+const std::vector<Target>& reader_targets() {
+  static const std::vector<Target> all{{"scene", scene},
+                                       {"vs3", vs3},
+                                       {"obj", obj},
+                                       {"stl", stl},
+                                       {"factors-csv", factors_csv},
+                                       {"factors-npy", factors_npy},
+                                       {"factors-mtx", factors_mtx},
+                                       {"sensors", sensors},
+                                       {"cameras", cameras},
+                                       {"solution", solution},
+                                       {"rows", rows},
+                                       {"png", png},
+                                       {"exr", exr}};
+  return all;
+}
+
+}  // namespace etendue::fuzz
