@@ -10,6 +10,7 @@
 #include "etendue/io/scene_reader.hpp"
 #include "etendue/view/radiosity_view.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 #include "support/process.hpp"
 
 namespace etendue::validation {
@@ -101,6 +102,48 @@ TEST(Room, HasTheElementsAndPatchesOfTheText) {
   EXPECT_TRUE(holds(!mesh_elements(printed).ok()));
 }
 
+/// The red residuals of Jacobi's steps: r' = diag(ρ) F r, so none exceeds the one before by more than the largest ρ.
+std::vector<double> jacobi_residuals(const Scene& scene, const ElementMesh& mesh) {
+  constexpr int kSteps = 24;  // far above rounding
+  std::vector<double> residuals;
+  for (int steps = 1; steps <= kSteps; ++steps) {
+    RadiosityGoal goal;
+    goal.solver = RadiositySolver::jacobi;
+    goal.most_steps = steps;
+    residuals.push_back(solve_scene_radiosity(scene, mesh, coarse_factors(), goal)->channels[0].solution.residual);
+  }
+  return residuals;
+}
+
+/// The room as the report shows it: by the form factors of its elements, and solved.
+void exhibit_room(const Scene& scene, const Solved& room, const std::vector<Balance>& balance) {
+  const Eigen::Index n = coarse_factors().factors.rows();
+  FactorTable table{"The room of figure 62, coarsely divided", {}, {}, {}, room.closure.covered};
+  RadiosityField field;
+  field.title = "The same room, solved";
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Polygon& polygon = room.mesh.elements[static_cast<std::size_t>(i)].polygon;
+    table.areas.push_back(polygon.area());
+    for (Eigen::Index j = 0; j < n; ++j) {
+      table.factors.push_back(coarse_factors().factors(i, j));
+      table.bounds.push_back(coarse_factors().bounds(i, j));
+    }
+    field.corners.emplace_back();
+    for (const Vec3& v : polygon.vertices())
+      field.corners.back().insert(field.corners.back().end(), {v.x(), v.y(), v.z()});
+    for (const double b : room.radiosity.radiosity[static_cast<std::size_t>(i)]) field.radiosity.push_back(b);
+  }
+  field.residuals = jacobi_residuals(scene, room.mesh);
+  for (const Material& material : scene.materials) field.contraction = std::max(field.contraction, material.rho(0));
+  field.balance = balance;
+  const Vec3& eye = scene.camera.eye;
+  const Vec3 gaze = scene.camera.gaze.normalized();
+  field.eye = {eye.x(), eye.y(), eye.z()};
+  field.gaze = {gaze.x(), gaze.y(), gaze.z()};
+  exhibit(table);
+  exhibit(field);
+}
+
 // CLAIM      IU.f62, IU.6-6: the room is closed: every element that is not under a box sees 1, and what the light emits
 //            is absorbed.
 // ORACLE     identity: closure and the balance of power.
@@ -127,6 +170,7 @@ TEST(Room, IsClosedAndKeepsItsPower) {
     EXPECT_TRUE(within(std::abs(1 - room.closure.row_sums(i)), open(i))) << "element " << i;
   }
   const double reciprocity = reciprocity_defect(matrix.factors, areas);
+  std::vector<Balance> balance;
   for (const ChannelRadiosity& channel : room.radiosity.channels) {
     const Eigen::VectorXd& b = channel.solution.radiosity;
     const double rounding = gamma_bound(3 * static_cast<int>(n)) * 3 * areas.sum() * b.maxCoeff();
@@ -135,7 +179,9 @@ TEST(Room, IsClosedAndKeepsItsPower) {
     EXPECT_TRUE(near(channel.balance.emitted, 40 * 2.5, 40 * 2.5 * kAreaRounding));
     EXPECT_TRUE(near(channel.balance.absorbed, channel.balance.emitted, escaped + defect + rounding));
     EXPECT_TRUE(near(channel.balance.defect, 0, defect + rounding));
+    balance.push_back({channel.balance.emitted, channel.balance.absorbed, channel.balance.escaped, defect + rounding});
   }
+  exhibit_room(scene, room, balance);
 }
 
 /// What each pixel shows of the room: the index of an object, or −1 for nothing.

@@ -13,6 +13,7 @@
 #include "etendue/core/rounding.hpp"
 #include "oracles/hemicube.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -86,6 +87,16 @@ TEST(Hemicube, CentreValuesConvergeWithSecondOrder) {
   };
   EXPECT_TRUE(near(order(top_error(0x1p-4), top_error(0x1p-5)), 2, kOrderTolerance));
   EXPECT_TRUE(near(order(side_error(0x1p-4), side_error(0x1p-5)), 2, kOrderTolerance));
+  Convergence top{"Centre values of pixels of the top", "h, a pixel's side", {}, {}, 2, kOrderTolerance}, side = top;
+  side.title = "Centre values of pixels of a side";
+  for (const double h : {0x1p-4, 0x1p-5, 0x1p-6, 0x1p-7}) {
+    top.sizes.push_back(h);
+    top.errors.push_back(std::abs(top_error(h)));
+    side.sizes.push_back(h);
+    side.errors.push_back(std::abs(side_error(h)));
+  }
+  exhibit(top);
+  exhibit(side);
 }
 
 // CLAIM      E22: on a side cos φ_q = 1/r; read as l/r with any l ≠ 1 (the height, the half diagonal) the sides miss 1.

@@ -5,6 +5,7 @@
 
 #include "refinement/penumbra.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -74,6 +75,12 @@ TEST(Convergence, IsOfOrderOneWhereRadiosityIsSmooth) {
   }
   EXPECT_TRUE(near(std::log2(error[4] / error[8]), 1, 1.0 / 16));
   EXPECT_TRUE(near(std::log2(error[8] / error[16]), 1, 1.0 / 64));
+  exhibit(Convergence{"Constant elements under a lamp, where nothing hides it",
+                      "h, an element's side",
+                      {0.25, 0.125, 0.0625},
+                      {error[4], error[8], error[16]},
+                      1,
+                      (1.0 / 16 + 1.0 / 64) / 2});
 }
 
 // CLAIM      IU.6.5.1, IU.6.6: where a partition stands on elements, their error has order one half, √(h θ(1 − θ) ∫ J² dy) for a jump
@@ -106,6 +113,16 @@ TEST(Convergence, IsOfOrderOneHalfAcrossAPartitionAndOneAlongIt) {
   }
   EXPECT_TRUE(near(std::log2(across[4] / across[16]) / 4, 0.5, 0.05));
   EXPECT_TRUE(near(std::log2(along[4] / along[16]) / 4, 1, 0.05));
+  const auto curve = [](const char* title, std::map<int, double>& squares, double slope) {
+    return Convergence{title,
+                       "h, an element's side",
+                       {0.25, 0.125, 0.0625},
+                       {std::sqrt(squares[4]), std::sqrt(squares[8]), std::sqrt(squares[16])},
+                       slope,
+                       0.05};
+  };
+  exhibit(curve("A partition across elements", across, 0.5));
+  exhibit(curve("The same elements cut along its foot", along, 1));
 }
 
 // CLAIM      IU.6.7.2, IU.6.5.1: elements that were cut along the foot of a partition are quartered like others: quartered everywhere

@@ -8,6 +8,7 @@
 #include "etendue/radiosity/substructuring.hpp"
 #include "refinement/shooting_scenes.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 #include "support/process.hpp"
 
 namespace etendue::validation {
@@ -124,6 +125,7 @@ TEST(RoomRefinement, TendsToTheContinuousCubeWithOrderTwo) {
   proves({"IU.6.6"}, Oracle::table, "means of the continuous cube");
   const std::array<double, 3> truth{0.208721, 0.342432, 0.362212};
   double coarse = 0, before = 0;
+  Convergence curve{"Mean irradiances of a cube with a glowing floor", "h, an element's side", {}, {}, 2, 0.4};
   for (const int cells : {2, 4, 8}) {
     const Scene scene = glowing_cube(cells);
     const PatchModel model = model_of(scene);
@@ -145,7 +147,10 @@ TEST(RoomRefinement, TendsToTheContinuousCubeWithOrderTwo) {
       EXPECT_TRUE(within(error, coarse / 10)) << coarse;
     }
     before = error;
+    curve.sizes.push_back(1.0 / cells);
+    curve.errors.push_back(error);
   }
+  exhibit(curve);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "etendue/core/rounding.hpp"
 #include "etendue/raytracing/render.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 #include "support/scene_builder.hpp"
 
 // Pictures that are known pixel by pixel, from formulas that share nothing with the renderer.
@@ -82,6 +83,11 @@ TEST(KnownRender, OfASphereIsRightInEveryPixel) {
   const Long3 to_light = to_long(std::get<DirectionalLight>(scene.lights[0]).direction);
   const Image image = rendered(scene).image;
   std::uint64_t undecided = 0, wrong = 0, decided = 0, lit = 0;
+  ImagePair pair{"A sphere under Lambert's law", image.columns, image.rows, {}, {}, 0};
+  for (const Rgb& pixel : image.pixels) {
+    pair.ours.insert(pair.ours.end(), {pixel[0], pixel[1], pixel[2]});
+    pair.reference.insert(pair.reference.end(), {0, 0, 2});  // the background, where no sphere is
+  }
   for (int row = 0; row < image.rows; ++row) {
     for (int column = 0; column < image.columns; ++column) {
       const Long3 d = pixel_direction(scene.camera, column, row);
@@ -99,7 +105,11 @@ TEST(KnownRender, OfASphereIsRightInEveryPixel) {
       const Long3 out = plus(plus({0, 0, 0}, mu - std::sqrt(gamma), d), -1, to_centre);
       const Long cosine = std::max<Long>(0, dot(unit(out), to_light));
       if (cosine > 0) ++lit;
+      for (const std::size_t k : {0u, 1u, 2u})
+        pair.reference[3 * static_cast<std::size_t>(row * image.columns + column) + k] =
+            static_cast<double>(0.75L * cosine / static_cast<Long>(1U << k));
       const double tolerance = kDirectionError * static_cast<double>(1 + distance / std::sqrt(gamma));
+      pair.tolerance = std::max(pair.tolerance, tolerance);
       ASSERT_TRUE(near(pixel[0], static_cast<double>(0.75L * cosine), tolerance)) << column << " " << row;
       ASSERT_TRUE(near(pixel[1], static_cast<double>(0.375L * cosine), tolerance)) << column << " " << row;
     }
@@ -107,6 +117,7 @@ TEST(KnownRender, OfASphereIsRightInEveryPixel) {
   EXPECT_EQ(undecided, 0u);
   EXPECT_TRUE(all_agree(wrong, decided));
   EXPECT_GT(lit, 2000u);
+  exhibit(pair);
 }
 
 // The faces of a box around the origin, as polygons that share their corners.

@@ -129,6 +129,7 @@ function findFaults(report) {
     return faults;
   const errata = new Set(report.errata.map(function (r) { return r.id; }));
   for (const row of rows) checkRow(row, report, errata, say, report.claims.includes(row));
+  checkFigures(report, say);
   if (!same(report.totals, totalsOf(report))) say("the totals are not the sums of the rows");
   return faults;
 }

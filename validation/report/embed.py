@@ -14,7 +14,8 @@ import pathlib
 import re
 import sys
 
-SCRIPTS = ["check.js", "margins.js", "table.js", "main.js"]
+SCRIPTS = ["check.js", "check_figures.js", "margins.js", "table.js", "colours.js", "matrix.js", "images.js",
+           "radiosity.js", "figures.js", "main.js"]
 TEST = re.compile(r"TEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\)")
 NAMED = re.compile(r"// (CLAIM|ORACLE|TOLERANCE) +(.*)")
 POWERS = {"²": "2", "³": "3", "ⁿ": "n"}

@@ -30,6 +30,8 @@ document.documentElement.dataset.faults = String(found.length);
 try {
   drawMargins(data, document.getElementById("margins"));
   enhanceTable(data, document.getElementById("claims-table"));
+  drawFigures(data);
+  openForPrint();
 } catch (error) {
   if (found.length === 0) showFaults(["the page cannot be drawn: " + error.message]);
 }

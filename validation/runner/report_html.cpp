@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "runner/figures.hpp"
 #include "runner/report.hpp"
 
 // The page as it reads without a script; validation/report/*.js add the plot, the filter and the check of the data.
@@ -16,21 +17,6 @@ using Json = nlohmann::ordered_json;
 
 /// Rows of the table of the closest calls, which stands in for the plot where there is no script.
 constexpr std::size_t kClosest = 20;
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
 
 std::string text_of(const Json& value) {
   return value.is_string() ? escaped(value.get<std::string>()) : std::string();
@@ -78,7 +64,8 @@ void append_verdict(std::string& page, const Json& report, const Summary& summar
   append_fact(page, "Reproduce with", "<code>" + text_of(report["command"]) + "</code>");
   page +=
       "</dl>\n<nav aria-label=\"Sections\"><ul><li><a href=\"#margins\">Margins</a></li><li><a "
-      "href=\"#claims\">Claims</a></li>"
+      "href=\"#claims\">Claims</a></li>" +
+      figures_links(collected_exhibits()) +
       "<li><a href=\"#environment\">Environment</a></li></ul></nav></header>\n<main>\n";
 }
 
@@ -153,7 +140,7 @@ void append_proofs(std::string& page, const Json& row, const Json& stated) {
                 text_of(known->value("tolerance", Json())) + "<br><code>" + text_of(known->value("place", Json())) +
                 "</code>";
       }
-      page += "</p>";
+      page += figures_of(name, collected_exhibits()) + "</p>";
     }
   }
   if (!row["proofs"].empty()) page += "</details>";
@@ -257,7 +244,9 @@ std::string html_report(const Summary& summary, const Register& all, const Build
   append_failures(body, report);
   append_margins(body, report);
   append_claims(body, report, all, known);
+  body += figures_html(collected_exhibits());
   append_environment(body);
+  report["figures"] = Json::parse(figures_json(collected_exhibits()));
   const std::string data = without_tags(report.dump());
   std::string page(embedded_page());
   // The data last: nothing in them is taken for a mark.

@@ -12,6 +12,7 @@ import math
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -78,7 +79,7 @@ def check_file(page):
     outline = outline_of(page)
     demand("ids are there once", len(outline.ids) == len(set(outline.ids)))
     inner = [a[1:] for a in outline.addresses if a.startswith("#")]
-    demand("every link leads to a place of the page", len(inner) == len(outline.addresses) and set(inner) <= set(outline.ids),
+    demand("every link leads to a place of the page", len(inner) + sum(a.startswith("data:image/bmp;base64,") for a in outline.addresses) == len(outline.addresses) and set(inner) <= set(outline.ids),
            sorted(set(inner) - set(outline.ids)))
     demand("one h1, and no heading skips a level", outline.headings.count(1) == 1 and outline.headings[0] == 1
            and all(b - a <= 1 for a, b in zip(outline.headings, outline.headings[1:])), outline.headings)
@@ -118,8 +119,8 @@ def places(value, path=()):
 
 
 # What carries no verdict, and what a consistent lie may say: text alone, and numbers that nothing else in the report repeats.
-FREE = {"stated", "command"}
-TEXTS = {"statement", "source", "oracle", "version", "compiler", "build_type", "date"}
+FREE = {"stated", "command", "eye"}
+TEXTS = {"statement", "source", "oracle", "version", "compiler", "build_type", "date", "title", "size_name", "unit"}
 
 
 def faults(data):
@@ -159,6 +160,21 @@ def faults(data):
             yield f"{'.'.join(map(str, path))} {what}", damaged
 
 
+def packed_faults(data):
+    """One number of each long list of a figure: raised, not a number, and left out."""
+    for k, figure in enumerate(data["figures"]):
+        for name in (name for name in figure if re.match("f(32|64)_", name)):
+            letter = "d" if name.startswith("f64") else "f"
+            raw = base64.b64decode(figure[name])
+            numbers = list(struct.unpack(f"<{len(raw) // struct.calcsize(letter)}{letter}", raw))
+            middle = len(numbers) // 2
+            for what, new in {"raised": numbers[:middle] + [numbers[middle] + 0.25] + numbers[middle + 1:],
+                              "not a number": numbers[:middle] + [math.nan] + numbers[middle + 1:], "cut": numbers[:-1]}.items():
+                damaged = copy.deepcopy(data)
+                damaged["figures"][k][name] = base64.b64encode(struct.pack(f"<{len(new)}{letter}", *new)).decode()
+                yield f"figures.{k}.{name} {what}", damaged
+
+
 def browser():
     return next((path for path in map(shutil.which, ("chromium-headless-shell", "chromium", "google-chrome")) if path), None)
 
@@ -168,7 +184,7 @@ def dump(chromium, folder, page):
     path = os.path.join(folder, "page.html")
     with open(path, "w", encoding="utf-8") as file:
         file.write(page)
-    done = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", "--host-resolver-rules=MAP * ~NOTFOUND",
+    done = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-logging=stderr", "--host-resolver-rules=MAP * ~NOTFOUND",
                            f"--user-data-dir={folder}/profile", "--dump-dom", "file://" + path], capture_output=True, timeout=120)
     return done.stdout.decode(), "\n".join(l for l in done.stderr.decode(errors="replace").splitlines() if "CONSOLE" in l)
 
@@ -183,16 +199,115 @@ def check_points(dom, data):
     demand("and stands where its share says", all(abs(y - (limit - (tens - limit) * math.log10(s))) < 0.01 for s, _, y in shown), shown)
 
 
+# Runs inside of the page's own function, after all is drawn: what pixels show, and what they should by the data.
+PROBE = """
+const wrong = [], expectPixel = function (what, found, wanted, slack) {
+  if ([0, 1, 2].some(function (c) { return Math.abs(found[c] - wanted[c]) > slack; })) wrong.push([what, Array.from(found), wanted]);
+};
+let probed = 0;
+data.figures.forEach(function (f, k) {
+  const article = document.getElementById("figure-" + k), select = article.querySelector("select");
+  const show = function (word) { select.value = word; select.dispatchEvent(new Event("change")); };
+  const pixelsOf = function (canvas) { return canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data; };
+  if (f.kind === "factors") {
+    const n = f.areas.length, F = unpack(f.f64_factors, Float64Array), E = unpack(f.f64_bounds, Float64Array);
+    for (const [word, decades, value] of [["factors", 6, function (i, j) { return F[i * n + j]; }], ["bounds", 18, function (i, j) { return E[i * n + j]; }],
+        ["reciprocity", 18, function (i, j) { return Math.abs(f.areas[i] * F[i * n + j] - f.areas[j] * F[j * n + i]); }]]) {
+      show(word);
+      const pixels = pixelsOf(article.querySelector("canvas"));
+      for (let i = 0; i < n; ++i) for (let j = 0; j < n; ++j, ++probed)
+        expectPixel(word + " " + i + " " + j, pixels.slice(4 * (i * n + j), 4 * (i * n + j) + 3), rampColour(value(i, j) > 0 ? 1 + Math.log10(value(i, j)) / decades : 0), 0);
+    }
+    const strip = pixelsOf(article.querySelector(".strip"));
+    for (let i = 0; i < n; ++i, ++probed) {
+      const miss = Math.abs(1 - F.slice(i * n, i * n + n).reduce(function (a, b) { return a + b; }, 0));
+      expectPixel("row sum " + i, strip.slice(4 * i, 4 * i + 3), rampColour(miss > 0 ? 1 + Math.log10(miss) / 18 : 0), 0);
+    }
+  }
+  if (f.kind === "images") {
+    const R = unpack(f.f32_reference, Float32Array), D = unpack(f.f32_difference, Float32Array), slider = article.querySelector("input");
+    const byte = function (v) { v = Math.min(1, Math.max(0, v)); return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055); };
+    for (const stops of [0, 1, -2]) {
+      slider.value = stops; slider.dispatchEvent(new Event("input"));
+      for (const [word, share] of [["ours", 1], ["reference", 0]]) {
+        show(word);
+        const pixels = pixelsOf(article.querySelector("canvas"));
+        for (let p = 0; p < f.columns * f.rows; ++p, ++probed)
+          expectPixel(word + " " + p + " at " + stops, pixels.slice(4 * p, 4 * p + 3), [0, 1, 2].map(function (c) { return byte(2 ** stops * (R[3 * p + c] + share * D[3 * p + c])); }), 0.6);
+      }
+    }
+    show("signed relative difference");
+    const pixels = pixelsOf(article.querySelector("canvas"));
+    for (let p = 0; p < f.columns * f.rows; ++p, ++probed) {
+      const biggest = [0, 1, 2].map(function (c) { return D[3 * p + c]; }).reduce(function (a, b) { return Math.abs(b) > Math.abs(a) ? b : a; }, 0);
+      const [red, , blue] = pixels.slice(4 * p, 4 * p + 3);
+      if (Math.sign(red - blue) !== Math.sign(biggest)) wrong.push(["sign of pixel " + p, red - blue, biggest]);
+    }
+  }
+  if (f.kind === "radiosity") {
+    const room = drawRadiosity(f, article), corners = unpack(f.f64_corners, Float64Array), B = unpack(f.f64_radiosity, Float64Array);
+    if (!room) return wrong.push("no WebGL");
+    let first = 0;
+    f.sizes.forEach(function (size, k) {
+      const corner = function (i) { return Array.from(corners.slice(3 * (first + i), 3 * (first + i) + 3)); };
+      const less = function (a, b) { return a.map(function (v, c) { return v - b[c]; }); };
+      const middle = [0, 1, 2].map(function (c) { let s = 0; for (let i = 0; i < size; ++i) s += corner(i)[c] / size; return s; });
+      const normal = crossed(less(corner(1), corner(0)), less(corner(2), corner(0))), length = Math.hypot(...normal);
+      const n = normal.map(function (v) { return v / length; });
+      room.place.eye = middle.map(function (v, c) { return v + 0.06 * n[c]; });
+      room.place.pitch = Math.asin(Math.max(-0.999999, Math.min(0.999999, -n[2])));
+      room.place.yaw = Math.atan2(-n[1], -n[0]);
+      room.exposure.value = -1;
+      room.show();
+      const pixel = new Uint8Array(4), gl = room.gl;
+      gl.readPixels(room.canvas.width / 2, room.canvas.height / 2, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      expectPixel("element " + k, pixel, [0, 1, 2].map(function (c) { return shownByte(room.base / 2 * B[3 * k + c]); }), 1.01);
+      first += size;
+      ++probed;
+    });
+  }
+});
+document.body.textContent = "PROBED " + probed + " " + JSON.stringify(wrong.slice(0, 5)) + " END";
+"""
+
+
+def check_pixels(chromium, folder, page):
+    """The policy would stop a script of ours: the probe's page goes without, and is the same otherwise."""
+    free = re.sub(r"<meta http-equiv[^>]*>", "", page)
+    end = free.rindex("})();")
+    dom, console = dump(chromium, folder, free[:end] + PROBE + free[end:])
+    found = re.search(r"PROBED (\d+) (.*) END", dom)
+    demand(f"{found[1] if found else 0} pixels show what the data say, by canvas and by WebGL", found and int(found[1]) >= 70 and found[2] == "[]",
+           (found and found[2], console))
+
+
+def check_curves(dom, data):
+    """Each point of a curve stands where the logarithms of its size and error say: its coordinates are linear in them."""
+    for k, figure in enumerate(data["figures"]):
+        if figure["kind"] != "convergence":
+            continue
+        article = re.search(rf'id="figure-{k}".*?</article>', dom, re.S)[0]
+        points = [(float(x), float(y)) for x, y in re.findall(r'<circle cx="([^"]*)" cy="([^"]*)"', article)]
+        x, y = ([math.log10(v) for v in figure[key]] for key in ("sizes", "errors"))
+        scale = [(points[-1][c] - points[0][c]) / (v[-1] - v[0]) for c, v in ((0, x), (1, y))]
+        good = len(points) == len(x) and scale[0] > 0 > scale[1] and all(
+            abs(points[i][0] - points[0][0] - scale[0] * (x[i] - x[0])) < 0.01 and
+            abs(points[i][1] - points[0][1] - scale[1] * (y[i] - y[0])) < 0.01 for i in range(len(points)))
+        demand("points of a convergence plot stand where their logarithms say", good, points)
+
+
 def check_browser(chromium, folder, page):
     dom, console = dump(chromium, folder, page)
     demand("good data: green, no fault", 'data-verdict="good"' in dom and 'data-faults="0"' in dom, dom[:500] + console)
     demand("the console says nothing, so nothing was asked of the network", console == "", console)
     check_points(dom, data_of(page))
+    check_curves(dom, data_of(page))
+    check_pixels(chromium, folder, page)
     altered = page.replace('"worst_share":0.1', '"worst_share":0.2')
     demand("altered data are found by their digest", altered != page and "altered after the run" in dump(chromium, folder, altered)[0])
     # All faults in one visit: the page's own findFaults() judges each of them.
     script = re.search(r"<script>(.*?)</script>", page, re.S)[1]
-    listed = list(faults(data_of(page)))
+    listed = list(faults(data_of(page))) + list(packed_faults(data_of(page)))
     judge = "\n".join(["const out = cases.map(function (c) { try { return findFaults(c).length; } catch (e) { return 1; } });",
                        "document.body.textContent = 'JUDGED ' + JSON.stringify(out);"])
     body = script[:script.index("const holder")] + "const cases = " + json.dumps([d for _, d in listed]).replace("<", "\\u003c") + ";\n" + judge + "})();"

@@ -7,6 +7,7 @@
 
 #include "runner/run.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 #include "support/long_run.hpp"
 
 namespace etendue::validation {
@@ -20,10 +21,36 @@ constexpr const char* kClaims = R"({"claims": [
 constexpr const char* kErrata = R"({"errata": [
   {"id": "E1", "source": "[T] 2", "printed": "p", "right": "r", "tells_apart": "", "verdict": "proved"}]})";
 
+/// One of each kind, small and right.
+void exhibit_figures() {
+  exhibit(Convergence{"A <curve>", "h", {0.5, 0.25, 0.125}, {0.25, 0.0625, 0.0157}, 2, 0.05});
+  ErrorHistogram histogram("A histogram", "ulps", 0.25, 8);
+  for (const double error : {0.1, 0.3, 0.6}) histogram.add(error);
+  exhibit(histogram);
+  exhibit(WorstInput{"An input", "etendue catalogue C-11 --a 1 --b 1 --c 1", std::abs(1.1 - 1)});
+  exhibit(FactorTable{
+      "Three surfaces", {1, 2, 1}, {0, 0.75, 0.25, 0.375, 0.25, 0.375, 0.25, 0.75, 0}, std::vector(9, 0.001), {}});
+  // A floor and a wall before the eye, turned to it.
+  exhibit(RadiosityField{"A corner",
+                         {{-2, 1, -1, 2, 1, -1, 2, 4, -1, -2, 4, -1}, {-2, 4, -1, 2, 4, -1, 2, 4, 2, -2, 4, 2}},
+                         {0.5, 0.25, 0.125, 0.25, 1, 0.5},
+                         {1, 0.5, 0.125},
+                         0.5,
+                         {{10, 6, 4, 1e-9}, {10, 7, 3, 1e-9}, {10, 8, 2, 1e-9}},
+                         {0, -2, 0},
+                         {0.28, 0.96, 0}});
+  const std::vector<double> reference = {0, 0.5, 1, 0.25, 0.25, 0.25, 0.75, 0.5, 0.125, 1, 1, 1, 0, 0, 0, 0.5, 0.25, 2};
+  ImagePair pair{"Six pixels", 3, 2, reference, reference, 0.125};
+  pair.ours[4] += 0.0625;
+  pair.ours[6] -= 0.015625;
+  exhibit(pair);
+}
+
 TEST(Good, HoldsATenthOfItsTolerance) {
   proves({"T.1"}, Oracle::closed_form, "one");
   uses_seed(7);
   EXPECT_TRUE(near(1.1, 1, 1));
+  exhibit_figures();
 }
 
 TEST(Good, DecidesExactly) {

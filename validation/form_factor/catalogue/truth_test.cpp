@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "form_factor/catalogue/configurations.hpp"
 #include "oracles/catalogue_truth.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
+#include "support/exhibit.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -15,6 +18,15 @@ constexpr double kTwelveDigits = 1e-12;
 /// The oracle of these takes a closure, 1 − x: it knows the difference to twelve digits of 1.
 bool by_closure(const std::string& id) {
   return id == "cone-self" || id == "frustum-self" || id == "box-walls-self";
+}
+
+/// What `etendue` computes this factor by.
+std::string command_for(const catalogue::Entry& entry, const std::vector<double>& values) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "etendue catalogue " << entry.id;
+  for (std::size_t i = 0; i < values.size(); ++i) text << " --" << entry.parameters[i].symbol << " " << values[i];
+  return text.str();
 }
 
 oracle::Truths all_truths() {
@@ -37,6 +49,7 @@ TEST(Catalogue, HasTheFactorsThatTheIntegralDefines) {
   constexpr double kSpread = 9, kMargin = 0.05;
   const oracle::Truths truths = all_truths();
   CounterRandom random(kSeed);
+  WorstInput worst{"The factor of the catalogue nearest to its bound", {}, 0};
   for (const auto& entry : catalogue::entries()) {
     const auto truth = truths.find(entry.id);
     ASSERT_NE(truth, truths.end()) << entry.id << " has no oracle";
@@ -47,8 +60,10 @@ TEST(Catalogue, HasTheFactorsThatTheIntegralDefines) {
       const double right = static_cast<double>(truth->second(values.data()));
       const double tolerance = kTwelveDigits * (by_closure(entry.id) ? 1 : right);
       EXPECT_TRUE(near(factor->value, right, factor->bound + tolerance)) << described(entry, values);
+      worst.consider(std::abs(factor->value - right) / (factor->bound + tolerance), command_for(entry, values));
     }
   }
+  exhibit(worst);
   EXPECT_EQ(truths.size(), catalogue::entries().size());
 }
 
