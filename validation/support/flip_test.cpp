@@ -38,9 +38,16 @@ Picture random_picture(std::uint64_t seed) {
   });
 }
 
-/// The largest distance that the paper takes: green and blue of sRGB after Hunt's adjustment. Their luminances follow from
-/// the primaries' chromaticities, whose light adds up to the paper's white.
-Long most() {
+/// X/X_n, Y, Z/Z_n.
+struct Relative {
+  Long x, y, z;
+};
+
+/// Of green and blue of sRGB: their luminances follow from the primaries' chromaticities, whose light adds up to the paper's white.
+struct Primaries {
+  Relative green, blue;
+};
+Primaries primaries() {
   const Long white_x = 0.950428545L, white_z = 1.088900371L;
   struct Primary {
     Long x, y;
@@ -52,17 +59,29 @@ Long most() {
   const Long g1 = green.across() - red.across(), b1 = blue.across() - red.across(), w1 = white_x - red.across();
   const Long g2 = green.down() - red.down(), b2 = blue.down() - red.down(), w2 = white_z - red.down();
   const Long of_green = (w1 * b2 - w2 * b1) / (g1 * b2 - g2 * b1), of_blue = (g1 * w2 - g2 * w1) / (g1 * b2 - g2 * b1);
+  const auto relative = [&](const Primary& p, Long luminance) {
+    return Relative{p.across() * luminance / white_x, luminance, p.down() * luminance / white_z};
+  };
+  return {relative(green, of_green), relative(blue, of_blue)};
+}
+
+/// HyAB after Hunt's adjustment.
+Long distance(const Relative& one, const Relative& other) {
   const auto f = [](Long t) { return t > 216.0L / 24389 ? std::cbrt(t) : t * 841 / 108 + 4.0L / 29; };
   struct Point {
     Long l, a, b;
   };
-  const auto hunted = [&](const Primary& p, Long luminance) {
-    const Long fx = f(p.across() * luminance / white_x), fy = f(luminance), fz = f(p.down() * luminance / white_z);
-    const Long l = 116 * fy - 16;
-    return Point{l, 5 * (fx - fy) * l, 2 * (fy - fz) * l};
+  const auto hunted = [&](const Relative& c) {
+    const Long l = 116 * f(c.y) - 16;
+    return Point{l, 5 * (f(c.x) - f(c.y)) * l, 2 * (f(c.y) - f(c.z)) * l};
   };
-  const Point a = hunted(green, of_green), b = hunted(blue, of_blue);
+  const Point a = hunted(one), b = hunted(other);
   return std::abs(a.l - b.l) + std::hypot(a.a - b.a, a.b - b.b);
+}
+
+/// The largest distance that the paper takes.
+Long most() {
+  return distance(primaries().green, primaries().blue);
 }
 
 /// A colour difference below the knee, and above it.
@@ -135,6 +154,64 @@ TEST(Flip, OfAStepAnswersToTheEdge) {
     EXPECT_TRUE(near(at(kStep), static_cast<double>(grey(light)), 8 * kFloat));
     EXPECT_TRUE(near(at(0), 0, 0));
   }
+}
+
+constexpr Long kPi = std::numbers::pi_v<Long>, kDegree = 3840 * kPi / 180;  // pixels
+
+/// What one pixel weighs at its own place in the eye's filter, a·√(π/b) exp(−π²d²/b) and one more such term.
+Long own_weight(Long a1, Long b1, Long a2, Long b2) {
+  const int radius = static_cast<int>(std::ceil(3 * std::sqrt(0.04L / (2 * kPi * kPi)) * kDegree));
+  const auto sum = [&](Long b) {
+    Long across = 0;
+    for (int x = -radius; x <= radius; ++x) across += std::exp(-kPi * kPi * x * x / (kDegree * kDegree) / b);
+    return across * across;
+  };
+  const Long one = a1 * std::sqrt(kPi / b1), other = a2 * std::sqrt(kPi / b2);
+  return (one + other) / (one * sum(b1) + other * sum(b2));
+}
+
+/// The point filter's answer to one pixel at its own place, which the edge filter does not see: the middle of a second derivative,
+/// whose negative weights sum to 1, in both directions.
+Long point_answer() {
+  const Long sigma = 0.041L * kDegree;
+  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  Long inside = 0, along = 0;
+  for (int x = -radius; x <= radius; ++x) {
+    const Long weight = std::exp(-x * x / (2 * sigma * sigma));
+    inside += std::max<Long>(0, 1 - x * x / (sigma * sigma)) * weight;
+    along += weight;
+  }
+  return std::numbers::sqrt2_v<Long> / (inside * along);
+}
+
+// CLAIM      where one pixel differs, ꟻLIP there is that of the colour that the eye's filters leave of it, channel by channel, to the
+//            power 1 − √(p/√2), p being the change of luminance times the point filter's answer: white on black, blue on grey.
+// ORACLE     closed form: the filters' middle weights, as products of sums along a line.
+// TOLERANCE  a float's rounding, eight of them; the white's coordinates are known to nine decimals.
+TEST(Flip, OfOnePixelAnswersToThePoint) {
+  proves({}, Oracle::closed_form, "middle weights of the filters");
+  constexpr int kSide = 41, kMiddle = 20;
+  const auto dotted = [](double ground, const std::vector<double>& dot) {
+    return picture(kSide, kSide, [&](int column, int row) {
+      return column == kMiddle && row == kMiddle ? dot : std::vector<double>(3, ground);
+    });
+  };
+  const auto middle = [&](double ground, const std::vector<double>& dot) {
+    const auto map = flip(dotted(ground, {ground, ground, ground}), dotted(ground, dot), kSide, kSide);
+    return static_cast<double>(map[kMiddle * kSide + kMiddle]);
+  };
+  const Long of_y = own_weight(1, 0.0047L, 0, 1), of_x = own_weight(1, 0.0053L, 0, 1),
+             of_z = own_weight(34.1L, 0.04L, 13.5L, 0.025L);
+  const auto expected = [&](Long ground, const Relative& change) {
+    const Long y = ground + of_y * change.y;
+    const Relative left{y + of_x * (change.x - change.y), y, y - of_z * (change.y - change.z)};
+    const Long colour = from_distance(distance({ground, ground, ground}, left));
+    const Long power = 1 - std::sqrt(change.y * point_answer() / std::numbers::sqrt2_v<Long>);
+    return static_cast<double>(std::pow(colour, power));
+  };
+  EXPECT_TRUE(near(middle(0, {1, 1, 1}), expected(0, {1, 1, 1}), 8 * kFloat));
+  const Relative blue = primaries().blue;
+  EXPECT_TRUE(near(middle(0.5, {0.5, 0.5, 1}), expected(0.5L, {blue.x / 2, blue.y / 2, blue.z / 2}), 8 * kFloat));
 }
 
 // CLAIM      ꟻLIP knows no direction: turned pictures have the turned map.
