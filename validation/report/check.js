@@ -130,6 +130,7 @@ function findFaults(report) {
   const errata = new Set(report.errata.map(function (r) { return r.id; }));
   for (const row of rows) checkRow(row, report, errata, say, report.claims.includes(row));
   checkFigures(report, say);
+  checkHistory(report, say);
   if (!same(report.totals, totalsOf(report))) say("the totals are not the sums of the rows");
   return faults;
 }

@@ -203,3 +203,24 @@ function checkFigures(report, say) {
     }
   });
 }
+
+const VERDICTS = ["FAILED", "NOT PROVED", "not run", "open", "open, in part", "not there", "verified", "refuted", "proved"];
+
+function checkHistory(report, say) {
+  const history = report.history;
+  if (!history || !Array.isArray(history.runs) || !Array.isArray(history.changes)) return say("the history is missing");
+  let before = "";
+  for (const run of history.runs) {
+    if (!run || !/^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ$/.test(run.date) || !isText(run.version)) { say("an earlier run has no date or version"); continue; }
+    if (run.date < before) say("earlier runs are not in order");
+    before = run.date;
+    for (const key of ["tests_passed", "tests_failed", "claims_verified", "claims_refuted", "claims_open", "other_problems", "rows"])
+      if (!isCount(run[key])) say("an earlier run does not say its " + key);
+    if (!(run.duration_seconds >= 0) || typeof run.ok !== "boolean") say("an earlier run has no duration or outcome");
+    if (run.ok !== (run.tests_failed + run.other_problems === 0)) say("an earlier run succeeded with failures, or failed without");
+  }
+  for (const change of history.changes) {
+    const row = change && report.claims.concat(report.errata).find(function (r) { return r.id === change.id; });
+    if (!row || row.verdict !== change.now || change.then === change.now || !VERDICTS.includes(change.then)) say("a change of verdict is none");
+  }
+}

@@ -9,10 +9,9 @@ namespace etendue::validation {
 
 namespace {
 
-constexpr std::array kKnown = {
-    "--filter", "--claim", "--subject", "--long",   "--text", "--json",    "--junit",
-    "--report", "--quiet", "--list",    "--claims", "--help", "--version", "--update-references",
-    "--reason"};
+constexpr std::array kKnown = {"--filter", "--claim",   "--subject",           "--long",  "--text", "--json",
+                               "--junit",  "--report",  "--history",           "--quiet", "--list", "--claims",
+                               "--help",   "--version", "--update-references", "--reason"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
 std::size_t edits(const std::string& a, const std::string& b) {
@@ -47,6 +46,7 @@ std::string* value_of(Options& options, const std::string& option) {
   if (option == "--json") return &options.json_path;
   if (option == "--junit") return &options.junit_path;
   if (option == "--report") return &options.html_path;
+  if (option == "--history") return &options.history.emplace_back();
   if (option == "--update-references") return &options.references;
   if (option == "--reason") return &options.reason;
   return nullptr;
@@ -99,6 +99,7 @@ Result<Options> parse_options(const std::vector<std::string>& arguments) {
     return usage(options.reason.empty() ? "--update-references needs --reason: why the old pictures are no longer right"
                                         : "--reason belongs to --update-references");
   }
+  if (!options.history.empty() && options.html_path.empty()) return usage("--history belongs to --report");
   if (!options.references.empty()) options.action = Options::Action::update_references;
   return options;
 }
@@ -120,7 +121,8 @@ Options
   --text FILE          write the table to FILE
   --json FILE          write all evidence to FILE as JSON
   --junit FILE         write the outcome to FILE as JUnit XML
-  --report FILE        write an HTML page to FILE, complete in itself: verdict, margins, claims, tolerances
+  --report FILE        write an HTML page to FILE, complete in itself: verdict, margins, claims, tolerances, figures
+  --history FILE       let that page tell of an earlier run, from its --json; repeatable
   --quiet              print failures and the closing line only
   --list               print each test with what it proves, and stop
   --claims             print the register, a row a claim: verdict, kinds of oracle, tests (tabs between them), and stop
@@ -135,7 +137,9 @@ Exit status
   0  all tests passed, and every verdict of the register is backed
   1  a test failed, asserts nothing, or the register claims what no test proves
   2  the command line is wrong, or what was chosen selects nothing
-  5  a report cannot be written (checked before the first test runs), or standard output did not take everything
+  3  a file of --history is no report
+  5  a report cannot be written, or a file of --history not read (checked before the first test runs), or standard output did
+     not take everything
   6  stopped by Ctrl-C: the running test was ended, the reports say which tests were not run
 
 Sample runs

@@ -19,6 +19,7 @@ struct Options {
   std::string json_path;
   std::string junit_path;
   std::string html_path;
+  std::vector<std::string> history;        ///< JSON reports of earlier runs, for the HTML page
   std::string references;                  ///< which to update: "all", or how their paths begin
   std::string reason;                      ///< why
   bool deep = false;                       ///< the long version of tests that have one

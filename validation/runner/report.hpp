@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "runner/history.hpp"
 #include "runner/summary.hpp"
 
 // The four forms of the report. All but durations and the date is the same from run to run.
@@ -32,7 +33,8 @@ std::string json_report(const Summary& summary, const Register& all, const Build
 std::string junit_report(const Summary& summary, const BuildInfo& build);
 
 /// One HTML file, complete in itself (docs/report.md): readable without a script, whose data the page checks again with one.
-std::string html_report(const Summary& summary, const Register& all, const BuildInfo& build);
+std::string html_report(const Summary& summary, const Register& all, const BuildInfo& build,
+                        const std::vector<PastRun>& past);
 
 /// The machine, and what the program is made of, with licences: name and text.
 std::vector<std::pair<std::string, std::string>> environment();

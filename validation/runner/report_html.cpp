@@ -44,7 +44,7 @@ std::string seeds_of(const Json& report) {
   return text.empty() ? "none drawn" : text;
 }
 
-void append_verdict(std::string& page, const Json& report, const Summary& summary) {
+void append_verdict(std::string& page, const Json& report, const Summary& summary, const std::string& link) {
   const bool ok = report["ok"].get<bool>();
   page += "<header><h1>etendue " + text_of(report["build"]["version"]) +
           ": every claim against its oracle</h1>\n<p id=\"verdict\" role=\"status\">";
@@ -65,7 +65,7 @@ void append_verdict(std::string& page, const Json& report, const Summary& summar
   page +=
       "</dl>\n<nav aria-label=\"Sections\"><ul><li><a href=\"#margins\">Margins</a></li><li><a "
       "href=\"#claims\">Claims</a></li>" +
-      figures_links(collected_exhibits()) +
+      figures_links(collected_exhibits()) + link +
       "<li><a href=\"#environment\">Environment</a></li></ul></nav></header>\n<main>\n";
 }
 
@@ -232,20 +232,25 @@ void put(std::string& page, const std::string& key, const std::string& value) {
 
 }  // namespace
 
-std::string html_report(const Summary& summary, const Register& all, const BuildInfo& build) {
-  Json report = Json::parse(json_report(summary, all, build));
+std::string html_report(const Summary& summary, const Register& all, const BuildInfo& build,
+                        const std::vector<PastRun>& past) {
+  const std::string plain = json_report(summary, all, build);
+  Json report = Json::parse(plain);
   const Json known = Json::parse(embedded_statements());
   for (auto& test : report["tests"]) {
     const auto stated = known["tests"].find(test["test"].get<std::string>());
     if (stated != known["tests"].end()) test["stated"] = *stated;
   }
   std::string body;
-  append_verdict(body, report, summary);
+  append_verdict(body, report, summary, past.empty() ? "" : "<li><a href=\"#history\">History</a></li>");
   append_failures(body, report);
   append_margins(body, report);
   append_claims(body, report, all, known);
   body += figures_html(collected_exhibits());
+  const PastRun now = past_run(plain).value_or(PastRun{});
+  body += history_html(past, now);
   append_environment(body);
+  report["history"] = Json::parse(history_json(past, now));
   report["figures"] = Json::parse(figures_json(collected_exhibits()));
   const std::string data = without_tags(report.dump());
   std::string page(embedded_page());

@@ -123,13 +123,13 @@ Result<Done> check_reports(const Options& options) {
   return check_writable(paths);
 }
 
-Result<Done> write_reports(const Options& options, const Summary& summary, const Register& all,
-                           const BuildInfo& build) {
+Result<Done> write_reports(const Options& options, const Summary& summary, const Register& all, const BuildInfo& build,
+                           const std::vector<PastRun>& past) {
   std::vector<NewFile> files;
   if (!options.text_path.empty()) files.push_back({options.text_path, text_report(summary, build)});
   if (!options.json_path.empty()) files.push_back({options.json_path, json_report(summary, all, build)});
   if (!options.junit_path.empty()) files.push_back({options.junit_path, junit_report(summary, build)});
-  if (!options.html_path.empty()) files.push_back({options.html_path, html_report(summary, all, build)});
+  if (!options.html_path.empty()) files.push_back({options.html_path, html_report(summary, all, build, past)});
   return write_files(files);
 }
 
@@ -165,7 +165,7 @@ void print(const Summary& summary, const BuildInfo& build, const Options& option
   if (options.gtest_options.empty()) std::cout << headline(summary) << "\n";
 }
 
-int run_tests(const Options& options, const Register& all) {
+int run_tests(const Options& options, const Register& all, const std::vector<PastRun>& past) {
   auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
   std::vector<TestRun> tests;
   listeners.Append(new Collector(tests));  // GoogleTest owns it
@@ -185,7 +185,7 @@ int run_tests(const Options& options, const Register& all) {
   for (const auto& option : options.gtest_options) build.command += " '" + option + "'";
   build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
   print(summary, build, options);
-  const auto written = write_reports(options, summary, all, build);
+  const auto written = write_reports(options, summary, all, build, past);
   if (!written) return fail(written.error());
   if (stopped) {
     return fail({ErrorCode::stopped, "stopped; " + std::to_string(summary.not_run) + " tests were not run"});
@@ -211,6 +211,8 @@ int run_action(const Options& options, const Register& all) {
   if (options.action == Options::Action::list) return print_tests();
   if (options.action == Options::Action::claims) return print_claims(all);
   if (const auto writable = check_reports(options); !writable) return fail(writable.error());
+  const auto past = read_history(options.history);
+  if (!past) return fail(past.error());
   const auto filter = gtest_filter(options, all);
   if (!filter) return fail(filter.error());
   const auto ready = init_gtest(options);
@@ -218,7 +220,7 @@ int run_action(const Options& options, const Register& all) {
   if (!filter->empty()) GTEST_FLAG_SET(filter, *filter);
   if (options.deep) begin_long_run();
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
-  return run_tests(options, all);
+  return run_tests(options, all, *past);
 }
 
 int run(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {

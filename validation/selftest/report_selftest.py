@@ -340,10 +340,23 @@ def check_formulas():
 check_formulas()
 with tempfile.TemporaryDirectory() as folder:
     path = os.path.join(folder, "report.html")
-    good = subprocess.run([program, "--filter", "Good.*", "--quiet", "--report", path], capture_output=True, timeout=60)
+    past = [os.path.join(folder, name) for name in ("good.json", "bad.json")]
+    subprocess.run([program, "--filter", "Good.*", "--quiet", "--json", past[0]], capture_output=True, timeout=60)
+    subprocess.run([program, "--quiet", "--json", past[1]], capture_output=True, timeout=60)
+    good = subprocess.run([program, "--filter", "Good.*", "--quiet", "--report", path, "--history", past[0], "--history", past[1]],
+                          capture_output=True, timeout=60)
     demand("a report is written", good.returncode == 0, good)
     good_page = open(path, encoding="utf-8").read()
     check_file(good_page)
+    demand("earlier runs are told of, and what changed", good_page.count('<tr><th scope="row">20') == 3
+           and '<a href="#claim-T.1">T.1</a>: FAILED, now verified' in good_page and len(data_of(good_page)["history"]["changes"]) == 2,
+           data_of(good_page)["history"])
+    with open(past[0], "w", encoding="utf-8") as file:
+        file.write('{"schema": "etendue-validation-report/1", "totals": {}}')
+    for what, options, code in (("no report", ["--report", path, "--history", past[0]], 3), ("not JSON", ["--report", path, "--history", path], 3),
+                                ("not there", ["--report", path, "--history", past[0] + "x"], 5), ("without --report", ["--history", past[1]], 2)):
+        refused = subprocess.run([program, "--filter", "Good.*", *options], capture_output=True, timeout=60)
+        demand(f"a history is refused: {what}", refused.returncode == code and refused.stderr.count(b"\n") == 1, refused)
     bad = subprocess.run([program, "--quiet", "--report", path], capture_output=True, timeout=60)
     bad_page = open(path, encoding="utf-8").read()
     demand("a failed run is red without a script", bad.returncode == 1 and '<html lang="en" data-verdict="bad">' in bad_page
