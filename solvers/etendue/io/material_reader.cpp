@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "etendue/io/bump_reader.hpp"
+#include "etendue/io/spectrum_reader.hpp"
 #include "etendue/optics/frost.hpp"
 #include "etendue/reflectance/noise.hpp"
 #include "etendue/text/number_text.hpp"
@@ -203,6 +204,19 @@ std::optional<TransparencyLaw> read_see_through(const SceneNode& node) {
   return std::nullopt;
 }
 
+/// That k_d, or the colour of a reflectance, may be taken for it.
+void check_rho(const SceneNode& node, const Material& material) {
+  const Rgb& rho = material.rho;
+  if ((rho >= 0).all() && (rho < 1).all()) return;
+  if (const auto reflectance = node.member("reflectance")) {
+    reflectance->complain("found a reflectance whose colour by daylight is [" + rounded(rho[0], 6) + ", " +
+                          rounded(rho[1], 6) + ", " + rounded(rho[2], 6) +
+                          "], expected channels in [0, 1), since \"rho\" is taken from it; give \"rho\" beside it");
+  } else {
+    node.member("k_d")->expected("a number below 1, since \"rho\" is taken from it; give \"rho\" in [0, 1) to keep 1");
+  }
+}
+
 }  // namespace
 
 Material read_material(const SceneNode& node, const std::string& name, double scale, TextureFiles& textures) {
@@ -211,6 +225,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   if (!node.is(keys_of("material"))) return material;
   material.k_d = colour(node, "k_d", kFraction, Rgb::Zero());
   material.k_a = colour(node, "k_a", kFraction, material.k_d);
+  read_reflectance(node, material);
   material.k_s = number(node, "k_s", kFraction, 0);
   material.phong_exponent = number(node, "n", kExponent, 1);
   material.k_r = number(node, "k_r", kFraction, 0);
@@ -225,9 +240,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
     node.warn("found \"k_r\" + \"k_t\" = " + shortest(material.k_r + material.k_t) + " in material '" + name +
               "', expected at most 1: the rays that go on bring more than arrives");
   }
-  if (!node.member("rho") && !(material.rho < 1).all()) {
-    node.member("k_d")->expected("a number below 1, since \"rho\" is taken from it; give \"rho\" in [0, 1) to keep 1");
-  }
+  if (!node.member("rho")) check_rho(node, material);
   return material;
 }
 

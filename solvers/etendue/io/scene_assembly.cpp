@@ -2,6 +2,7 @@
 #include "etendue/io/scene_assembly.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -12,6 +13,7 @@
 #include "etendue/io/material_reader.hpp"
 #include "etendue/io/nearest.hpp"
 #include "etendue/io/shape_reader.hpp"
+#include "etendue/io/spectrum_reader.hpp"
 #include "etendue/meshing/division.hpp"
 #include "etendue/raytracing/shading_normal.hpp"
 
@@ -78,7 +80,7 @@ class Assembly {
     if (is_main) {
       read_view(top, file);
     } else {
-      for (const char* key : {"camera", "background", "ambient", "align_mesh"}) {
+      for (const char* key : {"camera", "background", "ambient", "illuminant", "align_mesh"}) {
         if (const auto node = top.member(key))
           node->complain("found this in an included file, expected it in the main file only");
       }
@@ -100,12 +102,22 @@ class Assembly {
     if (const auto node = top.member("background"))
       scene_.background = node->colour(kNonNegative).value_or(Rgb::Zero());
     if (const auto node = top.member("ambient")) scene_.ambient = node->colour(kNonNegative).value_or(Rgb::Zero());
+    scene_.illuminant = illuminant_of(top);
     if (const auto node = top.member("align_mesh")) scene_.align_mesh = node->truth().value_or(false);
     if (const auto node = top.member("camera")) {
       scene_.camera = read_camera(*node);
     } else {
       top.complain("found no key \"camera\", expected one: it is mandatory in the main file");
     }
+  }
+
+  /// Daylight, where surfaces want one and none is given.
+  std::optional<Illuminant> illuminant_of(const SceneNode& top) const {
+    if (const auto node = top.member("illuminant")) return read_illuminant(*node);
+    const auto& materials = scene_.materials;
+    const bool spectral = std::any_of(materials.begin(), materials.end(),
+                                      [](const Material& material) { return material.reflectance.has_value(); });
+    return spectral ? std::optional(illuminant(through_table(daylight_d65()))) : std::nullopt;
   }
 
   void read_lights(const SceneNode& lights, const Placement& placement) {

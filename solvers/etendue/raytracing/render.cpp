@@ -51,6 +51,13 @@ bool is_dispersed(const RayTree& tree, const Scene& scene) {
   });
 }
 
+/// Whether any ray of the tree meets a surface that reflects by wavelength.
+bool is_spectral(const RayTree& tree, const Scene& scene) {
+  return std::any_of(tree.nodes.begin(), tree.nodes.end(), [&](const RayNode& node) {
+    return node.hit && scene.materials[scene.objects[node.hit->object].material].reflectance.has_value();
+  });
+}
+
 bool has_moving_bodies(const Scene& scene) {
   return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
     return moves(scene, object) && is_transparent(scene.materials[object.material]);
@@ -261,13 +268,18 @@ Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions
   };
   const SampleKey rays = key.part(sample_number::kTree);
   RayTree tree = trace(eye_ray, accelerator, options.limits, {around, 0, rays});
-  if (options.wavelengths == 0 || !is_dispersed(tree, accelerator.scene())) {
-    add(tree, Rgb::Ones());
+  const Scene& scene = accelerator.scene();
+  const bool disperses = options.wavelengths > 0 && is_dispersed(tree, scene);
+  if (options.wavelengths == 0 || !(disperses || is_spectral(tree, scene))) {
+    add(tree, scene.white());
     recycle(std::move(tree));
     return seen;
   }
-  const double offset = key.number(sample_number::kWavelength);
-  for (const WavelengthSample& sample : wavelength_samples(options.wavelengths, offset)) {
+  // Sharp pictures of the parts' wavelengths would show where one stood still; colours of surfaces are smooth in it.
+  auto samples = disperses ? wavelength_samples(options.wavelengths, key.number(sample_number::kWavelength))
+                           : even_wavelengths(options.wavelengths);
+  if (scene.illuminant) samples = lit(std::move(samples), *scene.illuminant);
+  for (const WavelengthSample& sample : samples) {
     add(trace(eye_ray, accelerator, options.limits, {around, sample.wavelength, rays}), sample.weight);
   }
   return seen;

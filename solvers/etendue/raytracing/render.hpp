@@ -63,10 +63,12 @@ struct Seen {
 
 /// Traces and shades one eye ray: once, or once for each part of the visible light.     @eq IU.5-2, IU.4-6, IU.2.9b
 ///
-///     colour = Σ_i w_i I(λ_i)        w_i, λ_i of wavelength_samples(), per channel
+///     colour = Σ_i w_i I(λ_i)        per channel; w_i, λ_i of wavelength_samples() where an index depends on λ, else of
+///                                    even_wavelengths(), and both lit() by the scene's illuminant
 ///
-/// With `wavelengths` the index of each medium is that for λ_i; colours stay what they are per channel. A ray whose tree
-/// meets nothing dispersive is traced once: a scene without dispersion gives the same bits with any number of parts.
+/// With `wavelengths` the index of each medium is that for λ_i, and so is a reflectance; other colours stay what they are
+/// per channel. A ray whose tree meets nothing of both is traced once, and seen in the illuminant's white: a scene
+/// without such materials gives the same bits with any number of parts.
 /// Symbols   around: media_around() the eye; where in each part the wavelength lies, and where frost sends rays, the key says
 [[nodiscard]] Seen see(const Ray& eye_ray, const Accelerator& accelerator, const RenderOptions& options,
                        const Media& around, const SampleKey& key = {});

@@ -84,7 +84,9 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
   Shaded result;
   thread_local std::vector<IncidentLight> arriving;  // its memory is kept from hit to hit
   arriving.clear();
-  const SurfaceColour colour = colour_at(scene, met, node.ray, node.before + node.length);
+  SurfaceColour colour = colour_at(scene, met, node.ray, node.before + node.length);
+  if (wavelength > 0 && material.reflectance)
+    colour.k_d = colour.k_a = Rgb::Constant(material.reflectance->at(wavelength));
   const bool returns_light = (colour.k_d != 0).any() || material.k_s != 0;
   const auto look_for = [&](const Light& light) {
     const LightSample sample = towards(light, met.hit.point);

@@ -42,6 +42,7 @@ struct Shaded {
 /// Where the material has a bump, shading_normal() is the N of the products; a light still has to stand before the surface itself, so
 /// that none leaks through from behind.                                                                   @eq IU.4.2.1
 /// As mended: k_d tints the diffuse term only (E2), R is the mirror of each light's own L (E3)
+/// At a wavelength, a material's reflectance there is its k_d and k_a.                          @eq IU.2.9b
 /// Of a light with an area, each of the point lights that it is (light_part()) counts so; light i draws from key.part(i).
 [[nodiscard]] Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, const SampleKey& key = {},
                                         const Shadows& shadows = {}, double wavelength = 0);

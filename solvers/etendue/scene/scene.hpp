@@ -21,6 +21,7 @@
 #include "etendue/geometry/torus.hpp"
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/optics/dispersion.hpp"
+#include "etendue/optics/spectrum.hpp"
 #include "etendue/reflectance/cube_map.hpp"
 #include "etendue/reflectance/pattern.hpp"
 #include "etendue/reflectance/transparency.hpp"
@@ -73,6 +74,7 @@ struct Material {
   std::optional<MaterialBump> bump;                       ///< for rays, and for rasterised pictures by Phong's shading
   std::optional<TransparencyLaw> see_through;             ///< for rasterised pictures; rays refract, by k_t and eta
   std::shared_ptr<const CubeMap> environment;             ///< what is mirrored, in place of the scene; null: the scene
+  std::optional<Spectrum> reflectance;  ///< for rays of one wavelength; k_d and k_a are its colour by daylight
 };
 
 /// Local lights of ray tracing. Lights of radiosity are surfaces with emission.
@@ -135,7 +137,9 @@ struct Scene {
   Rgb ambient = Rgb::Zero();     ///< I_a
   Rgb background = Rgb::Zero();  ///< what a ray that leaves the scene sees
   std::vector<Object> objects;
-  bool align_mesh = false;  ///< elements are cut where other objects stand on their faces
+  std::optional<Illuminant> illuminant;  ///< spectrum of all light, for `render`; none: of equal energy, and white
+  bool align_mesh = false;               ///< elements are cut where other objects stand on their faces
+  Rgb white() const { return illuminant ? illuminant->white : Rgb::Ones(); }  ///< as its light is seen
 };
 
 /// Whether the picture sees it move.

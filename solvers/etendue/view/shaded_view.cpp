@@ -224,7 +224,7 @@ class Picture {
     static thread_local FacetRaster raster(window);  // bands are drawn one after the other: memory is asked for once
     raster.look(window);
     std::vector<LightCosines> cosines;
-    const double share = 1.0 / (n * n);
+    const Rgb share = scene_.white() / (n * n);
     std::vector<Fragment> fragments;  // stays empty where nothing is transparent
     for (const bool clear : {false, true}) {
       for (const SeenFacet& seen : seen_) {
