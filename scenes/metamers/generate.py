@@ -18,7 +18,7 @@ def rectangle(name, material, left, right):
 
 
 def ball(name, material, x):
-    return {"type": "sphere", "name": name, "material": material, "centre": [x, -0.5, 0.75], "radius": 0.75}
+    return {"type": "sphere", "name": name, "material": material, "centre": [x, -0.5, 0.7], "radius": 0.7}
 
 
 def tables():
@@ -71,11 +71,11 @@ pair = {
     "materials": {
         "even": {"reflectance": [[380, GREY], [780, GREY]]},
         "waves": {"reflectance": {"from_nm": 380, "step_nm": 5, "values": [round(value, 16) for value in waves]}},
-        "floor": {"k_d": 0.5}},
+        "floor": {"k_d": 0.3}},
     "lights": [{"type": "directional", "direction": [-0.4, -1, 0.8], "intensity": 0.8}],
     "objects": [
         {"type": "plane", "name": "floor", "material": "floor", "point": [0, 0, 0], "normal": [0, 0, 1]},
         rectangle("left half", "even", -3, -1.5), rectangle("right half", "waves", -1.5, 0),
-        ball("left ball", "even", 1), ball("right ball", "waves", 2.6)]}
+        ball("left ball", "even", 0.8), ball("right ball", "waves", 2.35)]}
 lines = [f'  "{key}": {json.dumps(value)}' for key, value in pair.items()]
 (HERE / "pair.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")

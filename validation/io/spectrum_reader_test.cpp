@@ -75,8 +75,8 @@ TEST(SpectrumReader, SaysWhatIsWrongAndWhere) {
   reflectance("[[380, 0.1], [500, 0.1], [500, 0.2], [780, 0.5]]",
               "/2/0: found 500 after 500, expected ascending wavelengths");
   reflectance("[[780, 0.1], [380, 0.5]]", "/1/0: found 380 after 780, expected ascending wavelengths");
-  reflectance("[[380, 0.1]]", ": found an array of 1 items, expected an array of 2 or more pairs");
-  reflectance("[[380, 0.1], [780]]", "/1: found an array of 1 items, expected an array of 2 numbers");
+  reflectance("[[380, 0.1]]", ": found an array of 1 item, expected an array of 2 or more pairs");
+  reflectance("[[380, 0.1], [780]]", "/1: found an array of 1 item, expected an array of 2 numbers");
   reflectance("[]", ": found an array of 0 items, expected an array of 2 or more pairs");
   reflectance("[[400, 0.1], [780, 0.5]]", ": found wavelengths from 400 to 780 nm, expected all visible ones");
   reflectance(R"({"from_nm": 380, "step_nm": 5, "values": [0.1, 0.2]})",
