@@ -108,6 +108,8 @@ const char* help_text() {
   return R"(etendue-validate: hold every claim of the source texts against its oracle
 
 Usage: etendue-validate [options]            (also: etendue validate [options])
+       etendue-validate grade [options] -- COMMAND ...
+                                             hold any program against cases whose answers are known; grade --help
 
 Runs the tests and prints, for each claim, the kind of oracle, the worst error as a share of the tolerance, and the
 verdict. "exact" means that every comparison was a yes-or-no decision or agreed to the last bit.

@@ -16,6 +16,7 @@
 #include "etendue/core/version.hpp"
 #include "etendue/io/atomic_file.hpp"
 #include "etendue/text/utf8.hpp"
+#include "grade/command.hpp"
 #include "runner/listeners.hpp"
 #include "runner/options.hpp"
 #include "runner/probe.hpp"
@@ -224,6 +225,7 @@ int run_action(const Options& options, const Register& all) {
 }
 
 int run(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {
+  if (argc > 1 && std::string_view(argv[1]) == "grade") return grade({argv + 2, argv + argc}, std::cout, std::cerr);
   const auto options = parse_options({argv + 1, argv + argc});
   if (!options) return fail(options.error());
   if (options->action == Options::Action::help) {

@@ -22,7 +22,6 @@ namespace etendue::validation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr double kLongest = 120;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -79,11 +78,20 @@ class Terminal {
   std::string text_;
 };
 
+/// Has it had its time, said too much, or is it no longer wanted? Notes which.
+bool to_be_killed(const ProcessOptions& options, Clock::time_point begin, Ended& ended) {
+  std::error_code missing;
+  ended.too_long = seconds_since(begin) > options.longest;
+  ended.too_much = options.most > 0 && std::filesystem::file_size(options.out, missing) > options.most && !missing;
+  return ended.too_long || ended.too_much || (options.stop && *options.stop);
+}
+
 /// Waits for the end; interrupts and kills when it is time.
-int wait_for(pid_t process, Clock::time_point begin, const ProcessOptions& options, Terminal* terminal) {
+int wait_for(pid_t process, Clock::time_point begin, const ProcessOptions& options, Terminal* terminal, Ended& ended) {
   int status = 0;
   int interrupts = (options.interrupt_after > 0 || terminal ? 1 : 0) + (options.interrupt_again > 0 ? 1 : 0);
   double again_at = 0;
+  bool killed = false;
   while (::waitpid(process, &status, WNOHANG) == 0) {
     const bool now = again_at > 0 ? seconds_since(begin) >= again_at
                      : terminal   ? terminal->text().find(options.interrupt_at) != std::string::npos
@@ -93,9 +101,13 @@ int wait_for(pid_t process, Clock::time_point begin, const ProcessOptions& optio
       --interrupts;
       again_at = seconds_since(begin) + options.interrupt_again;
     }
-    if (seconds_since(begin) > kLongest) ::kill(process, SIGKILL);
+    if (!killed && to_be_killed(options, begin, ended)) {
+      ::kill(options.with_children ? -process : process, SIGKILL);
+      killed = true;
+    }
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
+  if (options.with_children) ::kill(-process, SIGKILL);  // what it left running
   return status;
 }
 
@@ -109,12 +121,14 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   ProcessOptions named = options;
+  named.out = out;
   if (!options.interrupt_at.empty()) named.environment.emplace_back("TERM", "xterm");  // or no progress would be shown
   std::vector<std::string> variables = environment(named);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   if (!options.folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
+  if (!options.in.empty()) posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, options.in.c_str(), O_RDONLY, 0);
   int ends[2] = {-1, -1};
   if (options.closed_pipe) {
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
@@ -139,19 +153,20 @@ Ended run_process(const std::filesystem::path& program, const std::vector<std::s
   sigemptyset(&heeded);
   for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) sigaddset(&heeded, signal);
   posix_spawnattr_setsigdefault(&attributes, &heeded);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setflags(
+      &attributes, static_cast<short>(POSIX_SPAWN_SETSIGDEF | (options.with_children ? POSIX_SPAWN_SETPGROUP : 0)));
 
   const auto begin = Clock::now();
   pid_t process = 0;
-  const int failure =
-      posix_spawn(&process, program.c_str(), &actions, &attributes, pointers(words).data(), pointers(variables).data());
+  const int failure = posix_spawnp(&process, program.c_str(), &actions, &attributes, pointers(words).data(),
+                                   pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (ends[1] >= 0) ::close(ends[1]);
   if (failure != 0) throw std::runtime_error("cannot start " + program.string());
 
   Ended ended;
-  const int status = wait_for(process, begin, options, terminal.get());
+  const int status = wait_for(process, begin, named, terminal.get(), ended);
   ended.seconds = seconds_since(begin);
   if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
