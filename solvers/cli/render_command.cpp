@@ -123,7 +123,7 @@ Result<Rendering> rendered(const RenderRequest& request, const SceneFile& file, 
   std::error_code absent;
   const fs::path saved = render_files(request, false).saved;
   if (request.resume && !fs::exists(saved, absent)) {
-    err << "etendue render: nothing to resume: there is no " << quoted_path(saved) << '\n';
+    if (!request.common.quiet) err << "etendue render: nothing to resume: there is no " << quoted_path(saved) << '\n';
   } else if (request.resume) {
     auto read = read_saved(request, file);
     if (!read) return read.error();

@@ -23,6 +23,10 @@ Cone random_cone(Random& random, int i) {
   cone.top = cone.base + random.unit_vector() * random.scale(0.1, 10);
   cone.base_radius = i % 4 == 1 ? 0 : random.scale(0.01, 3);
   cone.top_radius = i % 4 == 0 ? 0 : random.scale(0.01, 3);
+  if (i % 7 == 3) {  // slender, up to the domain's end
+    const double radius = std::max(cone.base_radius, cone.top_radius);
+    cone.top = cone.base + random.unit_vector() * radius * random.scale(1, 0.99 * kSlenderestCone);
+  }
   return cone;
 }
 

@@ -20,8 +20,8 @@ oracle::LineRoots roots_of(const Ray& ray, const Torus& torus) {
 
 Torus random_torus(Random& random) {
   const Vec3 centre = random.in_cube(100), axis = random.unit_vector() * random.scale(0.1, 10);
-  const double ring = random.scale(0.1, 10);
-  return {centre, axis, ring, ring * random.uniform(0.01, 0.99)};
+  const double ring = random.scale(0.1, 10), share = random.uniform(0.01, 0.99);
+  return {centre, axis, ring, ring * (random.index(4) == 0 ? random.scale(1 / kThinnestTorus, 0.01) : share)};
 }
 
 double distance_from(const Torus& torus, const Vec3& point) {

@@ -86,6 +86,10 @@ const std::vector<Fault>& faults() {
       {R"("type": "bezier", "control": [[[0, 0, 0], [0, 0, 1], [0, 0, 2]], [[1, 0, 0], [1, 0, 1], [1, 0, 2], [1, 0, 3]],
           [[2, 0, 0], [2, 0, 1], [2, 0, 2], [2, 0, 3]], [[3, 0, 0], [3, 0, 1], [3, 0, 2], [3, 0, 3]]])",
        "/control/0", "found an array of 3 items, expected an array of 4 points"},
+      {R"("type": "cone", "base": [0, 0, 0], "top": [0, 0, 1e14], "base_radius": 1, "top_radius": 0.5)", "",
+       "found a cone 1e+14 long with a radius of 1 at most, expected a length of at most 2^26 = 67108864 radii"},
+      {R"("type": "torus", "centre": [0, 0, 0], "axis": [0, 0, 1], "ring_radius": 1e9, "tube_radius": 1)", "",
+       "found a tube_radius of 1 around a ring_radius of 1e+09, expected at least 2^-26 = 1.49e-08 of it"},
       {R"("type": "polygon", "vertices": [[0, 0, 0], [1, 0, 0], [2, 0, 0]])", "/vertices",
        "found a polygon that is none: has no area: its vertices lie on one line, to the rounding of coordinates as "
        "large as 2; expected a flat one whose edges do not cross"},

@@ -86,8 +86,9 @@ TEST(RayTree, IsThatOfFourSurfaces) {
               "  T1 weight 0.8 leaves the scene\n");
     const std::string dot = to_dot(tree, scene);
     for (const char* edge :
-         {"eye -> n0 [label=\"R\"]", "n0 -> n1 [label=\"R1\"]", "n1 -> n2 [label=\"R2\"]", "n1 -> n3 [label=\"T2\"]",
-          "n3 -> n4 [label=\"R3\"]", "n3 -> n5 [label=\"T3\"]", "n5 -> n6 [label=\"R4\"]", "n0 -> n7 [label=\"T1\"]"}) {
+         {"eye -> n0 [label=\"R\\n1\"]", "n0 -> n1 [label=\"R1\\n0.1\"]", "n1 -> n2 [label=\"R2\\n0.03\"]",
+          "n1 -> n3 [label=\"T2\\n0.05\"]", "n3 -> n4 [label=\"R3\\n0.01\"]", "n3 -> n5 [label=\"T3\\n0.025\"]",
+          "n5 -> n6 [label=\"R4\\n0.015\"]", "n0 -> n7 [label=\"T1\\n0.8\"]"}) {
       EXPECT_NE(dot.find(edge), std::string::npos) << edge;
     }
   }

@@ -20,12 +20,15 @@ struct Torus {
 /// validation/geometry/torus_test.cpp.
 inline constexpr double kTorusUlps = 1;
 
+/// Greatest R/r in that domain: from there on digits of t are lost with its fourth power, and from 2^46 on hits.
+inline constexpr double kThinnestTorus = 0x1p26;
+
 /// Nearest meeting of a ray with a torus.                                                                   @eq IU.5.0
 ///
 ///     (|x|² + R² − r²)² |A|² = 4R² (|x|² |A|² − (A·x)²),   x = start + sD, counted from near the closest approach
 ///
 /// Symbols   A axis, R and r radii of ring and tube [length]; D direction of the ray
-/// Domain    0 < r < R, lengths between 2^-120 and 2^120, distance of the origin up to 2^40 R. kTorusUlps holds for
+/// Domain    0 < r < R ≤ kThinnestTorus r, lengths between 2^-120 and 2^120, distance of the origin up to 2^40 R. kTorusUlps holds for
 ///           rays that pass the silhouette at more than 2^-30 of r
 /// Returns   the smallest t with max(0, t_min) < t < t_max; normal outward also for hits from inside; uv: u = turn
 ///           around the axis from tangent_frame(A), v = turn around the tube from its outermost circle towards A, both

@@ -2,6 +2,7 @@
 #include "etendue/io/curved_shape_reader.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -89,6 +90,12 @@ std::optional<Shape> read_cone(const SceneNode& node, const Placement& placement
       !radius_in_domain(cone.base_radius) || !radius_in_domain(cone.top_radius)) {
     return out_of_domain(node, "cone");
   }
+  const double length = (cone.top - cone.base).norm(), radius = std::max(cone.base_radius, cone.top_radius);
+  if (length > kSlenderestCone * radius) {
+    node.complain("found a cone " + rounded(length, 3) + " long with a radius of " + rounded(radius, 3) +
+                  " at most, expected a length of at most 2^26 = 67108864 radii");
+    return std::nullopt;
+  }
   return cone;
 }
 
@@ -108,6 +115,11 @@ std::optional<Shape> read_torus(const SceneNode& node, const Placement& placemen
   if (!in_domain(torus.centre) || !in_domain(torus.ring) || !in_domain(torus.tube) || !(torus.tube < torus.ring) ||
       !torus.axis.allFinite()) {
     return out_of_domain(node, "torus");
+  }
+  if (torus.ring > kThinnestTorus * torus.tube) {
+    node.complain("found a tube_radius of " + rounded(torus.tube, 3) + " around a ring_radius of " +
+                  rounded(torus.ring, 3) + ", expected at least 2^-26 = 1.49e-08 of it");
+    return std::nullopt;
   }
   return torus;
 }

@@ -266,7 +266,7 @@ std::string to_dot(const RayTree& tree, const Scene& scene) {
     const std::string label = met ? object_label(scene, node.hit->object) : fate(node, scene);
     text += "  " + id + " [label=\"" + escaped(label) + "\", shape=" + (met ? "circle" : "plaintext") + "];\n";
     const std::string from = node.parent == RayNode::kNone ? "eye" : "n" + std::to_string(node.parent);
-    text += "  " + from + " -> " + id + " [label=\"" + names[i] + "\"];\n";
+    text += "  " + from + " -> " + id + " [label=\"" + names[i] + "\\n" + rounded(node.weight, 6) + "\"];\n";
   }
   return text + "}\n";
 }
