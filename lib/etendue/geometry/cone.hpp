@@ -21,18 +21,18 @@ struct Cone {
 /// validation/geometry/cone_test.cpp.
 inline constexpr double kConeUlps = 1;
 
-/// Greatest length of a cone in that domain, in its larger radii: from there on digits of t are lost with the square of the
-/// length, and from 2^46 on hits.
-inline constexpr double kSlenderestCone = 0x1p26;
+/// Greatest length of a cone in that domain, in its larger radii: beyond, digits of t are lost with the square of the
+/// length, some 10^4 units of the last place at 2^26 (measured on rays that graze), and from 2^46 on hits.
+inline constexpr double kSlenderestCone = 0x1p10;
 
 /// Nearest meeting of a ray with the wall of a cone.                                                        @eq IU.5.0
 ///
 ///     |A|⁴ |x|² − |A|² (A·x)² = (R₀ |A|² + (R₁ − R₀) A·x)²,   x = P − base, A = top − base, 0 ≤ A·x ≤ |A|²
 ///
 /// Symbols   R₀, R₁ radii at base and top [length], P a point of the wall
-/// Domain    radii ≥ 0, one of them > 0; lengths between 2^-120 and 2^120, |A| at most kSlenderestCone of the larger
-///           radius, distance of the origin up to 2^40 of them.
-///           kConeUlps holds for rays that pass the silhouette at more than 2^-30 of the larger radius
+/// Domain    radii ≥ 0, one of them > 0; lengths between 2^-120 and 2^120, distance of the origin up to 2^40 of them.
+///           kConeUlps holds for |A| up to kSlenderestCone larger radii, and rays that pass the silhouette at more than
+///           2^-30 of the larger radius
 /// Returns   the smallest t with max(0, t_min) < t < t_max whose point lies between the ends; normal outward also for
 ///           hits from inside, at an apex along the axis; uv: u = turn around the axis from tangent_frame(A) in [0, 1),
 ///           v = height, 0 at base, 1 at top

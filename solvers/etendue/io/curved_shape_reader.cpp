@@ -22,6 +22,9 @@ std::optional<Shape> out_of_range(const SceneNode& node) {
 /// The domain of the polynomials: lengths between 2^-120 and 2^120 (cone.hpp, torus.hpp, quadric.hpp, bezier.hpp).
 constexpr double kGreatest = 1e36, kLeast = 1e-36;
 
+/// Cones longer than so many radii are refused: their hits would have few digits, and get lost in the end (cone.hpp).
+constexpr double kLongestInRadii = 0x1p26;
+
 bool in_domain(const Vec3& v) {
   return v.allFinite() && v.lpNorm<Eigen::Infinity>() <= kGreatest;
 }
@@ -91,7 +94,7 @@ std::optional<Shape> read_cone(const SceneNode& node, const Placement& placement
     return out_of_domain(node, "cone");
   }
   const double length = (cone.top - cone.base).norm(), radius = std::max(cone.base_radius, cone.top_radius);
-  if (length > kSlenderestCone * radius) {
+  if (length > kLongestInRadii * radius) {
     node.complain("found a cone " + rounded(length, 3) + " long with a radius of " + rounded(radius, 3) +
                   " at most, expected a length of at most 2^26 = 67108864 radii");
     return std::nullopt;
