@@ -28,7 +28,8 @@ inline constexpr double kThinnestTorus = 0x1p26;
 ///     (|x|² + R² − r²)² |A|² = 4R² (|x|² |A|² − (A·x)²),   x = start + sD, counted from near the closest approach
 ///
 /// Symbols   A axis, R and r radii of ring and tube [length]; D direction of the ray
-/// Domain    0 < r < R ≤ kThinnestTorus r, lengths between 2^-120 and 2^120, distance of the origin up to 2^40 R. kTorusUlps holds for
+/// Domain    0 < r < R ≤ kThinnestTorus r, lengths between 2^-120 and 2^120, distance of the origin up to 2^40 R where
+///           R ≤ 100 r, else up to 2^13 R (from afar thin tubes may be missed). kTorusUlps holds for
 ///           rays that pass the silhouette at more than 2^-30 of r
 /// Returns   the smallest t with max(0, t_min) < t < t_max; normal outward also for hits from inside; uv: u = turn
 ///           around the axis from tangent_frame(A), v = turn around the tube from its outermost circle towards A, both
