@@ -45,8 +45,6 @@ std::string figures_of(const std::string& test, const std::vector<Exhibit>& exhi
 /// A picture as a data: address (BMP, 24 bits), from red, green, blue of each pixel in 0 … 255.
 std::string picture_address(const std::vector<unsigned char>& pixels, int columns, int rows);
 
-std::string base64(std::string_view bytes);
-
 /// Text in HTML.
 std::string escaped(std::string_view text);
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <tuple>
 
+#include "etendue/io/byte_text.hpp"
 #include "runner/figures_curves.hpp"
 #include "support/flip.hpp"
 
