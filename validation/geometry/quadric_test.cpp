@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/crossings.hpp"
 #include "geometry/exact.hpp"
 #include "geometry/families.hpp"
 #include "oracles/line_roots.hpp"
@@ -93,8 +94,7 @@ TEST(Quadric, IsHitAsTheExactQuadraticSays) {
 // CLAIM      IU.5.0: every crossing of a line is found, one after the other, and none that is not there; each point lies on
 //            the quadric.
 // ORACLE     exact: the number of sign changes by Sturm's sequence; in boxes that cut nothing off.
-// TOLERANCE  1e-12 max(1, way of the ray) off the surface, |f|/|∇f| evaluated in long double; counts none: the next search
-//            begins where the last hit was (t_min).
+// TOLERANCE  1e-12 max(1, way of the ray) off the surface, |f|/|∇f| evaluated in long double; counts none.
 TEST(Quadric, CountsItsCrossingsAsSturmDoes) {
   proves({"IU.5.0"}, Oracle::exact, "Sturm's sequence of the rational quadratic");
   uses_seed(832);
@@ -111,16 +111,12 @@ TEST(Quadric, CountsItsCrossingsAsSturmDoes) {
     ray.direction = (target - ray.origin) * random.scale(0.1, 10);
     const long truth = oracle::quadric_crossings(exact(ray.origin), exact(ray.direction), exact(quadric.box.centre),
                                                  rows_of(quadric.square), exact(quadric.linear), quadric.constant);
-    long found = 0;
-    while (const auto hit = intersect(ray, quadric)) {
-      ++found;
-      ray.t_min = hit->t;
-      off = std::max(off, distance_from(quadric, hit->point) / std::max(1.0, (hit->point - ray.origin).norm()));
-      if (found > 2) break;
-    }
+    const Crossings found =
+        crossings(ray, quadric, 2, [&](const Vec3& point) { return distance_from(quadric, point); });
     ++lines;
-    wrong += found != truth;
-    ++counts[std::min(found, 2L)];
+    wrong += found.count != truth;
+    ++counts[std::min(found.count, 2L)];
+    off = std::max(off, found.off);
   }
   for (const std::uint64_t count : counts) EXPECT_GT(count, 0U) << "0 to 2 crossings all occur";
   EXPECT_TRUE(all_agree(wrong, lines));
