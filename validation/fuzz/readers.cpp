@@ -40,62 +40,36 @@ void read_as(const char* name, Bytes input, Read read) {
   judge(read(path), path);
 }
 
-void scene(Bytes input) {
-  read_as("input.json", input, [](const auto& path) { return read_scene(path); });
+Result<std::vector<Sensor>> sensors_in_metres(const std::filesystem::path& path) {
+  return read_sensors(path, 1);
 }
-void vs3(Bytes input) {
-  read_as("input.vs3", input, [](const auto& path) { return read_surfaces(path); });
+Result<std::vector<NamedCamera>> cameras_in_metres(const std::filesystem::path& path) {
+  return read_cameras(path, 1);
 }
-void obj(Bytes input) {
-  read_as("input.obj", input, [](const auto& path) { return read_surfaces(path); });
+Result<FormFactorMatrix> three_rows(const std::filesystem::path& path) {
+  return read_rows(path, {{"scene", "0"}}, 3);
 }
-void stl(Bytes input) {
-  read_as("input.stl", input, [](const auto& path) { return read_surfaces(path); });
-}
-void factors_csv(Bytes input) {
-  read_as("input.csv", input, [](const auto& path) { return read_factors(path); });
-}
-void factors_npy(Bytes input) {
-  read_as("input.npy", input, [](const auto& path) { return read_factors(path); });
-}
-void factors_mtx(Bytes input) {
-  read_as("input.mtx", input, [](const auto& path) { return read_factors(path); });
-}
-void sensors(Bytes input) {
-  read_as("sensors.csv", input, [](const auto& path) { return read_sensors(path, 1); });
-}
-void cameras(Bytes input) {
-  read_as("cameras.json", input, [](const auto& path) { return read_cameras(path, 1); });
-}
-void solution(Bytes input) {
-  read_as("solution.json", input, [](const auto& path) { return cli::read_saved_solution(path); });
-}
-void rows(Bytes input) {
-  read_as("input.resume", input, [](const auto& path) { return read_rows(path, {{"scene", "0"}}, 3); });
-}
-void png(Bytes input) {
-  read_as("input.png", input, [](const auto& path) { return read_image(path, 1 << 16); });
-}
-void exr(Bytes input) {
-  read_as("input.exr", input, [](const auto& path) { return read_image(path, 1 << 16); });
+Result<Image> small_image(const std::filesystem::path& path) {
+  return read_image(path, 1 << 16);
 }
 
 }  // namespace
 
 const std::vector<Target>& reader_targets() {
-  static const std::vector<Target> all{{"scene", scene},
-                                       {"vs3", vs3},
-                                       {"obj", obj},
-                                       {"stl", stl},
-                                       {"factors-csv", factors_csv},
-                                       {"factors-npy", factors_npy},
-                                       {"factors-mtx", factors_mtx},
-                                       {"sensors", sensors},
-                                       {"cameras", cameras},
-                                       {"solution", solution},
-                                       {"rows", rows},
-                                       {"png", png},
-                                       {"exr", exr}};
+  static const std::vector<Target> all{
+      {"scene", [](Bytes input) { read_as("input.json", input, read_scene); }},
+      {"vs3", [](Bytes input) { read_as("input.vs3", input, read_surfaces); }},
+      {"obj", [](Bytes input) { read_as("input.obj", input, read_surfaces); }},
+      {"stl", [](Bytes input) { read_as("input.stl", input, read_surfaces); }},
+      {"factors-csv", [](Bytes input) { read_as("input.csv", input, read_factors); }},
+      {"factors-npy", [](Bytes input) { read_as("input.npy", input, read_factors); }},
+      {"factors-mtx", [](Bytes input) { read_as("input.mtx", input, read_factors); }},
+      {"sensors", [](Bytes input) { read_as("sensors.csv", input, sensors_in_metres); }},
+      {"cameras", [](Bytes input) { read_as("cameras.json", input, cameras_in_metres); }},
+      {"solution", [](Bytes input) { read_as("solution.json", input, cli::read_saved_solution); }},
+      {"rows", [](Bytes input) { read_as("input.resume", input, three_rows); }},
+      {"png", [](Bytes input) { read_as("input.png", input, small_image); }},
+      {"exr", [](Bytes input) { read_as("input.exr", input, small_image); }}};
   return all;
 }
 
