@@ -11,18 +11,14 @@ import tempfile
 
 import jsonschema
 
+sys.dont_write_bytecode = True
+from demand import complaints, demand  # noqa: E402
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CASES = ROOT / "validation/cases"
 MAKE = ROOT / "validation/reference/grade_cases/make.py"
 NARROW = 1 / 50  # of the tolerance: an enclosure's width hardly moves a verdict
 SUBJECTS = {"form factors": 30, "radiosity": 30, "refraction": 30, "intersections": 30, "images": 25}
-complaints = []
-
-
-def demand(what, good, more=""):
-    print(("ok    " if good else "WRONG ") + what + (f": {more}" if more and not good else ""))
-    if not good:
-        complaints.append(what)
 
 
 def ends(truth):

@@ -12,19 +12,14 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True
+from demand import complaints, demand  # noqa: E402
+
 program, etendue = (os.path.abspath(word) for word in sys.argv[1:3])
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ADAPTERS = ROOT / "validation/adapters"
 CASES = ROOT / "validation/cases"
 PYTHON = [sys.executable, "-S", "-B"]  # the standard library alone, which starts in half the time
-complaints = []
-
-
-def demand(what, good, out=""):
-    print(("ok    " if good else "WRONG ") + what)
-    if not good:
-        complaints.append(what)
-        print(out)
 
 
 def grade(*words, **how):

@@ -22,16 +22,9 @@ sys.dont_write_bytecode = True
 validation = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.join(validation, "report"))
 import embed  # noqa: E402
+from demand import complaints, demand  # noqa: E402
 
 program = sys.argv[1]
-complaints = []
-
-
-def demand(what, condition, context=""):
-    print(("ok    " if condition else "WRONG ") + what)
-    if not condition:
-        complaints.append(what)
-        print(context)
 
 
 def fnv1a(text):

@@ -10,20 +10,15 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
+sys.dont_write_bytecode = True
+from demand import complaints, demand  # noqa: E402
+
 program = sys.argv[1]
-complaints = []
 
 
 def run(*options):
     done = subprocess.run([program, *options], capture_output=True, timeout=60)
     return done.returncode, done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
-
-
-def demand(what, condition, context=""):
-    print(("ok    " if condition else "WRONG ") + what)
-    if not condition:
-        complaints.append(what)
-        print(context)
 
 
 def demand_run(what, options, code, *texts):
