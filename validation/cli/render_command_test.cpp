@@ -230,7 +230,7 @@ TEST(RenderCommand, CropsFiltersAndAddsChannels) {
 TEST(RenderCommand, ResumesAfterAnInterruption) {
   proves({}, Oracle::metamorphic, "the PNG of a rendering without a pause");
   const TemporaryFolder folder;
-  std::vector<std::string> arguments{"render",    mirrors(),    "--columns", "300",      "--samples",
+  std::vector<std::string> arguments{"render",    mirrors(),    "--columns", "150",      "--samples",
                                      "6",         "--sampling", "jittered",  "--filter", "tent",
                                      "--threads", "1",          "--output"};
   const auto to = [&](const std::string& name, const std::vector<std::string>& more) {
@@ -240,7 +240,7 @@ TEST(RenderCommand, ResumesAfterAnInterruption) {
     return all;
   };
   ProcessOptions stop;
-  stop.interrupt_after = 0.8;
+  stop.interrupt_at = "render [";
   const Ended stopped = run_etendue(to("a.png", {}), stop);
   ASSERT_EQ(stopped.code, 6) << stopped.err;
   EXPECT_TRUE(holds(folder.contents() == "a.incomplete.exr a.incomplete.png a.resume")) << folder.contents();

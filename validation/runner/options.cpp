@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <numeric>
+#include <optional>
 
 namespace etendue::validation {
 
 namespace {
 
-constexpr std::array kKnown = {"--filter", "--claim",   "--subject",           "--long",  "--text", "--json",
-                               "--junit",  "--report",  "--history",           "--quiet", "--list", "--claims",
-                               "--help",   "--version", "--update-references", "--reason"};
+constexpr std::array kKnown = {"--filter", "--claim",   "--subject",           "--long",   "--text", "--json",
+                               "--junit",  "--report",  "--history",           "--quiet",  "--list", "--claims",
+                               "--help",   "--version", "--update-references", "--reason", "--jobs"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
 std::size_t edits(const std::string& a, const std::string& b) {
@@ -38,7 +40,18 @@ Error usage(const std::string& message) {
   return Error{ErrorCode::usage, message};
 }
 
-std::string* value_of(Options& options, const std::string& option) {
+constexpr int kMostJobs = 200;
+
+/// "3" is 3; nothing where `text` is no whole number from 1 to kMostJobs.
+std::optional<int> jobs_in(const std::string& text) {
+  int jobs = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), jobs);
+  if (error != std::errc() || end != text.data() + text.size() || jobs < 1 || jobs > kMostJobs) return std::nullopt;
+  return jobs;
+}
+
+std::string* value_of(Options& options, std::string& jobs, const std::string& option) {
+  if (option == "--jobs") return &jobs;
   if (option == "--filter") return &options.filters.emplace_back();
   if (option == "--claim") return &options.claims.emplace_back();
   if (option == "--subject") return &options.subjects.emplace_back();
@@ -74,6 +87,7 @@ bool set_flag(Options& options, const std::string& option) {
 
 Result<Options> parse_options(const std::vector<std::string>& arguments) {
   Options options;
+  std::string jobs;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     if (argument.rfind("--gtest_", 0) == 0) {
@@ -83,7 +97,7 @@ Result<Options> parse_options(const std::vector<std::string>& arguments) {
     const std::size_t equals = argument.rfind("--", 0) == 0 ? argument.find('=') : std::string::npos;
     const std::string option = argument.substr(0, equals);
     if (equals == std::string::npos && set_flag(options, option)) continue;
-    std::string* value = value_of(options, option);
+    std::string* value = value_of(options, jobs, option);
     if (value == nullptr) {
       if (argument.rfind('-', 0) != 0)
         return usage("unexpected argument " + argument + "; to select tests use --filter " + argument);
@@ -94,6 +108,11 @@ Result<Options> parse_options(const std::vector<std::string>& arguments) {
     else if (i + 1 < arguments.size())
       *value = arguments[++i];
     if (value->empty()) return usage(option + " needs a value");
+  }
+  if (!jobs.empty()) {
+    const auto count = jobs_in(jobs);
+    if (!count) return usage("--jobs " + jobs + ": expected a whole number from 1 to " + std::to_string(kMostJobs));
+    options.jobs = *count;
   }
   if (options.references.empty() != options.reason.empty()) {
     return usage(options.reason.empty() ? "--update-references needs --reason: why the old pictures are no longer right"
@@ -120,6 +139,7 @@ Options
   --subject NAME       run only tests of one subject ("form factors") or module (form_factor); repeatable
   --long               the deep version: a hundred times as many random rays and pairs, 10^8 rays at the edges of a mesh and
                        more than 10^5 pairs of polygons; hours, with a bar that shows how far it is
+  --jobs N             run N tests at a time, each process taking the next (default: one a core)
   --text FILE          write the table to FILE
   --json FILE          write all evidence to FILE as JSON
   --junit FILE         write the outcome to FILE as JUnit XML

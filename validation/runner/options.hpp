@@ -22,6 +22,7 @@ struct Options {
   std::vector<std::string> history;        ///< JSON reports of earlier runs, for the HTML page
   std::string references;                  ///< which to update: "all", or how their paths begin
   std::string reason;                      ///< why
+  int jobs = 0;                            ///< processes at a time; 0: as many as there are cores
   bool deep = false;                       ///< the long version of tests that have one
   bool quiet = false;                      ///< nothing but failures and the headline on stdout
   std::vector<std::string> gtest_options;  ///< handed on to GoogleTest as they are

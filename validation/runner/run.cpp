@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <set>
+#include <string_view>
+#include <thread>
+#include <utility>
 
 #include "cli/stop.hpp"
 #include "etendue/core/version.hpp"
@@ -23,13 +27,12 @@
 #include "runner/references.hpp"
 #include "runner/report.hpp"
 #include "runner/selection.hpp"
+#include "runner/workers.hpp"
 #include "support/long_run.hpp"
 
 namespace etendue::validation {
 
 namespace {
-
-constexpr double kSecondsPerMillisecond = 1e-3;
 
 int fail(const Error& error) {
   std::cerr << "etendue-validate: " << printable_lines(error.message) << "\n";
@@ -141,14 +144,21 @@ bool selects_everything() {
 
 /// A disabled test would be a check that silently does not happen: it counts as skipped.
 void add_disabled(std::vector<TestRun>& tests) {
+  if (GTEST_FLAG_GET(also_run_disabled_tests)) return;
+  constexpr std::string_view kMark = "DISABLED_";  // GoogleTest's, of a suite or a test
   const auto& unit = *::testing::UnitTest::GetInstance();
   for (int s = 0; s < unit.total_test_suite_count(); ++s) {
     const auto& suite = *unit.GetTestSuite(s);
     for (int t = 0; t < suite.total_test_count(); ++t) {
-      if (suite.GetTestInfo(t)->should_run()) continue;
-      tests.push_back({suite.name(), suite.GetTestInfo(t)->name(), Outcome::skipped, {}, 0, {}});
+      const std::string_view test = suite.GetTestInfo(t)->name();
+      if (!test.starts_with(kMark) && !std::string_view(suite.name()).starts_with(kMark)) continue;
+      tests.push_back({suite.name(), std::string(test), Outcome::skipped, {}, 0, {}});
     }
   }
+}
+
+Depth depth_of(const Options& options) {
+  return options.deep ? Depth::long_run : Depth::usual;
 }
 
 void print(const Summary& summary, const BuildInfo& build, const Options& options) {
@@ -166,32 +176,51 @@ void print(const Summary& summary, const BuildInfo& build, const Options& option
   if (options.gtest_options.empty()) std::cout << headline(summary) << "\n";
 }
 
-int run_tests(const Options& options, const Register& all, const std::vector<PastRun>& past) {
+/// All in this process, as debuggers like it.
+TestsDone run_here(const Options& options) {
   auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
-  std::vector<TestRun> tests;
-  listeners.Append(new Collector(tests));  // GoogleTest owns it
+  TestsDone done;
+  listeners.Append(new Collector(done.tests));  // GoogleTest owns it
   if (options.gtest_options.empty()) {
     delete listeners.Release(listeners.default_result_printer());
-    listeners.Append(new Progress(options.deep ? Depth::long_run : Depth::usual));
+    listeners.Append(new Progress(depth_of(options)));
   }
-  // What RUN_ALL_TESTS thinks is told again, test by test, by the summary; but it also sees failures outside tests.
-  const int gtest_says = RUN_ALL_TESTS();
+  done.gtest_ok = RUN_ALL_TESTS() == 0;
+  return done;
+}
+
+/// As many processes as were asked for; one where GoogleTest prints or writes for itself.
+int jobs_of(const Options& options) {
+  if (!options.gtest_options.empty() || !GTEST_FLAG_GET(output).empty()) return 1;
+  const int tests = ::testing::UnitTest::GetInstance()->total_test_count();
+  const int wanted = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(wanted, 1, std::max(tests, 1));
+}
+
+int run_tests(const Options& options, const Register& all, const std::vector<PastRun>& past) {
+  const auto start = std::chrono::steady_clock::now();
+  const int jobs = jobs_of(options);
+  Result<TestsDone> run = jobs > 1 ? run_in_workers(jobs, depth_of(options)) : run_here(options);
+  if (!run) return fail(run.error());
+  TestsDone done = std::move(run).value();
   const bool stopped =
-      std::any_of(tests.begin(), tests.end(), [](const TestRun& t) { return t.outcome == Outcome::not_run; });
+      std::any_of(done.tests.begin(), done.tests.end(), [](const TestRun& t) { return t.outcome == Outcome::not_run; });
   const bool full = selects_everything() && !stopped;
-  if (full) add_disabled(tests);
-  const Summary summary = summarize(all, std::move(tests), full);
+  if (full) add_disabled(done.tests);
+  // What GoogleTest thinks is told again, test by test, by the summary; but it also sees failures outside tests.
+  Summary summary = summarize(all, std::move(done.tests), full);
+  summary.problems.insert(summary.problems.begin(), done.problems.begin(), done.problems.end());
   BuildInfo build = build_info();
   build.command += choice_text(options);
   for (const auto& option : options.gtest_options) build.command += " '" + option + "'";
-  build.seconds = static_cast<double>(::testing::UnitTest::GetInstance()->elapsed_time()) * kSecondsPerMillisecond;
+  build.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   print(summary, build, options);
   const auto written = write_reports(options, summary, all, build, past);
   if (!written) return fail(written.error());
   if (stopped) {
     return fail({ErrorCode::stopped, "stopped; " + std::to_string(summary.not_run) + " tests were not run"});
   }
-  return gtest_says == 0 && summary.ok() ? 0 : static_cast<int>(ErrorCode::check_failed);
+  return done.gtest_ok && summary.ok() ? 0 : static_cast<int>(ErrorCode::check_failed);
 }
 
 /// Hands the --gtest_* options to GoogleTest; refuses those that it does not know.

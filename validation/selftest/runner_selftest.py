@@ -131,8 +131,9 @@ with tempfile.TemporaryDirectory() as folder:
         return timeless
 
     first = stable(files["json"])
-    run("--quiet", *paths)
-    demand("a second run reports the same", first == stable(files["json"]))
+    for jobs in ("1", "2", "3"):
+        run("--quiet", "--jobs", jobs, *paths)
+        demand(f"a second run, by {jobs} processes, reports the same", first == stable(files["json"]))
 
 # The running test interrupts its own program, as the user might at that moment.
 for name, number in (("SIGINT", signal.SIGINT), ("SIGTERM", signal.SIGTERM)):
@@ -140,7 +141,7 @@ for name, number in (("SIGINT", signal.SIGINT), ("SIGTERM", signal.SIGTERM)):
         files = {kind: os.path.join(folder, "report." + kind) for kind in ("json", "xml", "txt")}
         os.environ["ETENDUE_SELFTEST_SIGNAL"] = str(int(number))
         demand_run(f"{name} ends the run after its test, with 6",
-                   ["--json", files["json"], "--junit", files["xml"], "--text", files["txt"]], 6,
+                   ["--jobs", "1", "--json", files["json"], "--junit", files["xml"], "--text", files["txt"]], 6,
                    "STOPPED: 7 tests were not run, of Good 1, Bad 6", "2 tests passed, 0 failed",
                    "etendue-validate: stopped; 7 tests were not run\n")
         del os.environ["ETENDUE_SELFTEST_SIGNAL"]
@@ -155,5 +156,20 @@ for name, number in (("SIGINT", signal.SIGINT), ("SIGTERM", signal.SIGTERM)):
         demand("the JUnit file has them as skipped", suites.get("skipped") == "7" and suites.get("failures") == "0"
                and sum(case.find("skipped") is not None for case in suites.iter("testcase")) == 7)
         demand("the text counts them", "STOPPED: 7 tests" in open(files["txt"], encoding="utf-8").read())
+
+    # The same to a run of two processes, each of which is within a test then.
+    os.environ["ETENDUE_SELFTEST_STOP_THE_RUN"] = str(int(number))
+    demand_run(f"{name} ends all processes of a run after their tests, with 6", ["--jobs", "2"], 6,
+               "STOPPED: 7 tests were not run, of Good 1, Bad 6", "2 tests passed, 0 failed")
+    del os.environ["ETENDUE_SELFTEST_STOP_THE_RUN"]
+
+# The running test ends its process.
+os.environ["ETENDUE_SELFTEST_SIGNAL"] = str(int(signal.SIGSEGV))
+demand_run("a test that crashes is named", ["--claim", "E1", "--jobs", "2"], 1,
+           "PROBLEM Good.DecidesExactly: ended its process by signal 11; what that had run is lost")
+del os.environ["ETENDUE_SELFTEST_SIGNAL"]
+
+for jobs in ("0", "201", "2.5", "two"):
+    demand_run(f"--jobs {jobs} is refused", ["--jobs", jobs], 2, f"--jobs {jobs}: expected a whole number from 1 to 200")
 
 sys.exit(1 if complaints else 0)

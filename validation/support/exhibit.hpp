@@ -24,6 +24,9 @@ class ErrorHistogram {
  public:
   /// Contract: width > 0, bins > 0
   ErrorHistogram(std::string title, std::string unit, double width, std::size_t bins);
+  /// One that was counted elsewhere.
+  /// Contract: width > 0, counts not empty
+  ErrorHistogram(std::string title, std::string unit, double width, double worst, std::vector<std::uint64_t> counts);
   /// Contract: units ≥ 0, not NaN
   void add(double units);
 
@@ -93,7 +96,10 @@ struct Exhibit {
 /// Hands a figure to the report, in the name of the running test.
 void exhibit(Figure figure);
 
-/// Of all tests run so far in this process, in order.
+/// Takes over what a test showed in another process.
+void adopt(Exhibit exhibit);
+
+/// Of all tests run so far in this process, and adopted, in order.
 const std::vector<Exhibit>& collected_exhibits();
 
 }  // namespace etendue::validation
