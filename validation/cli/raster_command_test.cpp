@@ -36,9 +36,11 @@ TEST(RasterCommand, DrawsAndSaysWhatIsMissing) {
     const std::string svg = read_text(folder.path() / "ball.row-12.svg");
     EXPECT_TRUE(holds(svg.find("</svg>") != std::string::npos && svg.find("perceived") != std::string::npos));
   }
-  const Ended mirrors = run_etendue({"render", scene("mirrors"), "--method", "raster", "--output", picture});
+  const Ended mirrors =
+      run_etendue({"render", scene("mirrors"), "--method", "raster", "--shading", "flat", "--output", picture});
   EXPECT_TRUE(holds(mirrors.code == 3)) << mirrors.err;  // its floor is infinite
-  EXPECT_NE(mirrors.err.find("is an infinite plane, which has no triangles to be drawn with: use --method raytrace"),
+  EXPECT_NE(mirrors.err.find("is an infinite plane, which has no corners to be shaded at: use --shading phong or "
+                             "--method raytrace"),
             std::string::npos)
       << mirrors.err;
   const Ended slab =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/meshing/tessellation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -77,6 +78,33 @@ TEST(Tessellation, LiesOnTheShape) {
   const auto refused = net(Plane{c, axis});
   EXPECT_TRUE(holds(!refused.ok() &&
                     refused.error().message.find("'thing' is an infinite plane") == std::string("object ").size()));
+}
+
+// CLAIM      plane_before() is in the plane, wound along its normal, and goes on around the eye's foot until 2^-20 from the horizon; an eye in
+//            the plane sees nothing of it.
+// ORACLE     identity: the plane's equation; angles from the eye.
+// TOLERANCE  2^-50 of its size for coordinates; 1e-6 of the angle.
+TEST(Tessellation, OfAPlaneGoesToTheHorizon) {
+  proves({}, Oracle::identity, "the plane's equation; angles from the eye");
+  const Plane plane{{1, 2, 3}, Vec3(1, -2, 2) / 3};
+  for (const double height : {1e-3, -4.0}) {
+    const Vec3 foot = plane.point + Vec3(2, 2, 1), eye = foot + height * plane.normal;
+    const Tessellation net = plane_before(plane, eye);
+    for (const Vec3& normal : facet_normals(net.mesh)) EXPECT_TRUE(near(normal.dot(plane.normal), 1, 0x1p-50));
+    double size = 0;
+    for (const Vec3& corner : net.mesh.vertices) size = std::max(size, (corner - foot).norm());
+    for (std::size_t t = 0; t < 2; ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3& a = net.mesh.vertices[net.mesh.triangles[t][k]];
+        const Vec3& b = net.mesh.vertices[net.mesh.triangles[t][(k + 1) % 3]];
+        EXPECT_TRUE(within(std::abs(plane.normal.dot(a - plane.point)), 0x1p-50 * size));
+        if ((a - b).norm() > 1.5 * size) continue;  // the diagonal
+        const double nearest = ((a + b) / 2 - foot).norm();
+        EXPECT_TRUE(near(std::atan(std::abs(height) / nearest), 0x1p-20, 0x1p-20 * 1e-6));
+      }
+    }
+  }
+  EXPECT_TRUE(holds(plane_before(plane, plane.point + Vec3(2, 2, 1)).mesh.triangles.empty()));
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "etendue/core/contract.hpp"
 #include "etendue/geometry/meeting.hpp"
-#include "etendue/geometry/predicates.hpp"
+#include "etendue/meshing/ears.hpp"
+#include "etendue/meshing/quadric_net.hpp"
 #include "etendue/reflectance/surface_parameters.hpp"
 #include "etendue/text/utf8.hpp"
 
@@ -171,36 +173,27 @@ struct Tessellator {
     result.parameters = {{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}};
   }
 
-  void operator()(const Polygon& polygon) {
-    result.crease_angle = kSharp;
-    result.mesh.vertices = polygon.vertices();
-    const TangentFrame frame = tangent_frame(polygon.normal());
-    std::vector<Vec2> flat;
-    for (const Vec3& vertex : polygon.vertices()) flat.emplace_back(vertex.dot(frame.u), vertex.dot(frame.v));
-    std::vector<std::uint32_t> rest(flat.size());
-    std::iota(rest.begin(), rest.end(), 0U);
-    while (rest.size() > 3) cut_ear(flat, rest);
-    result.mesh.triangles.push_back({rest[0], rest[1], rest[2]});
-    place_corners([&](std::size_t, const Vec3& corner) { return parameters_on(polygon, corner); });
-  }
+  void operator()(const Polygon& polygon) { flat(polygon, {}); }
+  void operator()(const PolygonWithHoles& polygon) { flat(polygon.outline(), polygon.holes()); }
 
-  /// Cuts off a corner that turns left and whose triangle has no other corner in it: there is one in every simple polygon.
-  /// Where flattening has rounded corners onto one line, any corner will do: its triangle has no area.
-  void cut_ear(const std::vector<Vec2>& flat, std::vector<std::uint32_t>& rest) {
-    const std::size_t n = rest.size();
-    std::size_t ear = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::uint32_t a = rest[(k + n - 1) % n], b = rest[k], c = rest[(k + 1) % n];
-      const bool is_free = std::none_of(rest.begin(), rest.end(), [&](std::uint32_t p) {
-        return p != a && p != b && p != c && orientation(flat[a], flat[b], flat[p]) >= 0 &&
-               orientation(flat[b], flat[c], flat[p]) >= 0 && orientation(flat[c], flat[a], flat[p]) >= 0;
-      });
-      if (!is_free || orientation(flat[a], flat[b], flat[c]) <= 0) continue;
-      ear = k;
-      break;
-    }
-    result.mesh.triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
-    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  void flat(const Polygon& polygon, const std::vector<std::vector<Vec3>>& holes) {
+    result.crease_angle = kSharp;
+    const TangentFrame frame = tangent_frame(polygon.normal());
+    std::vector<Vec2> points;
+    const auto chain = [&](const std::vector<Vec3>& corners) {
+      std::vector<std::uint32_t> indices(corners.size());
+      std::iota(indices.begin(), indices.end(), static_cast<std::uint32_t>(points.size()));
+      for (const Vec3& corner : corners) {
+        points.emplace_back(corner.dot(frame.u), corner.dot(frame.v));
+        result.mesh.vertices.push_back(corner);
+      }
+      return indices;
+    };
+    const auto outline = chain(polygon.vertices());
+    std::vector<std::vector<std::uint32_t>> cut;
+    for (const auto& hole : holes) cut.push_back(chain(hole));
+    result.mesh.triangles = ears(points, outline, std::move(cut));
+    place_corners([&](std::size_t, const Vec3& corner) { return parameters_on(polygon, corner); });
   }
 
   void operator()(const Mesh& mesh) {
@@ -220,11 +213,36 @@ struct Tessellator {
   }
 
   void operator()(const Plane&) { refused = "is an infinite plane"; }
-  void operator()(const Quadric&) { refused = "is a quadric"; }
-  void operator()(const PolygonWithHoles&) { refused = "is a polygon with holes"; }
+
+  void operator()(const Quadric& quadric) {
+    constexpr int kMostCells = 64;  // along an edge of the box: their number is the third power
+    result.mesh = quadric_net(quadric, std::min(half(), kMostCells));
+    place_corners([&](std::size_t, const Vec3& corner) { return parameters_on(quadric.box, 2, corner); });
+  }
 };
 
 }  // namespace
+
+Tessellation plane_before(const Plane& plane, const Vec3& eye) {
+  constexpr double kReach = 0x1p20;
+  Tessellation result{{}, kSharp};
+  const double height = plane.normal.dot(eye - plane.point);
+  if (height == 0) return result;
+  const TangentFrame frame = tangent_frame(plane.normal);
+  const Vec3 foot = eye - height * plane.normal;
+  const double reach = kReach * std::abs(height);
+  for (const auto& [u, v] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+    result.mesh.vertices.emplace_back(foot + reach * (u * frame.u + v * frame.v));
+  result.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  for (const auto& triangle : result.mesh.triangles) {
+    auto& parameters = result.parameters.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 x = result.mesh.vertices[triangle[k]] - plane.point;
+      parameters[k] = {x.dot(frame.u), x.dot(frame.v)};
+    }
+  }
+  return result;
+}
 
 Result<Tessellation> tessellated(const Object& object, const TessellationOptions& options) {
   require(options.facets >= kFewestFacets && options.facets <= kMostFacets, "tessellated: a number of facets in range");

@@ -29,8 +29,14 @@ inline constexpr int kMostFacets = 4096;
 /// The parameters of a corner belong to its triangle: u of the last column of a closed net is 1, not 0; at a pole or an apex it
 /// is that of the middle of the other side.                                                          @eq IU.4.1.2
 /// Domain    facets in [kFewestFacets, kMostFacets]
-/// Returns   for meshes their own triangles, for polygons the triangles that ears leave
-/// Errors    infinite planes, quadrics and polygons with holes; the message names the object
+/// Returns   for meshes their own triangles, for polygons those of ears(), for quadrics quadric_net() of facets/2 cells, at most 64
+/// Errors    infinite planes, which plane_before() has; the message names the object
 [[nodiscard]] Result<Tessellation> tessellated(const Object& object, const TessellationOptions& options);
+
+/// What of an infinite plane an eye can tell from the whole: a square around the eye's foot, 2^21 times as wide as the eye is
+/// high. What it lacks is within 2^-20 of the horizon [rad], a twentieth of a pixel of pictures 2^16 wide.
+/// Returns   two triangles; none where the eye lies in the plane
+/// Accuracy  points between the corners to 2^-31 of the eye's height
+[[nodiscard]] Tessellation plane_before(const Plane& plane, const Vec3& eye);
 
 }  // namespace etendue

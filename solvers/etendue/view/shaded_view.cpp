@@ -9,6 +9,7 @@
 #include "etendue/raytracing/shading_normal.hpp"
 #include "etendue/reflectance/cosines.hpp"
 #include "etendue/text/utf8.hpp"
+#include "etendue/view/facets.hpp"
 #include "etendue/view/mirrored_environment.hpp"
 #include "etendue/view/radiosity_view.hpp"
 
@@ -19,44 +20,8 @@ namespace {
 constexpr int kLargestPicture = 1 << 16;  // samples along an edge: half of kLargestCoordinate, as Projection wants
 constexpr int kBand = 64;                 // rows of samples that are drawn at a time: they stay in the cache
 
-/// A triangle of the scene, its normals on the viewer's side.
-struct Facet {
-  std::size_t object;
-  std::array<Vec3, 3> corners, normals;
-  Vec3 normal;
-  bool turned = false;                  // outward is away from the viewer
-  std::array<Vec2, 3> parameters = {};  // of the corners
-
-  Vec3 centre() const { return (corners[0] + corners[1] + corners[2]) / 3; }
-};
-
 Vec3 mixed(const Eigen::Array3d& weights, const std::array<Vec3, 3>& values) {
   return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
-}
-
-Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& options) {
-  std::vector<Facet> facets;
-  for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-    const auto net = tessellated(scene.objects[object], options.net);
-    if (!net) return net.error();
-    const Mesh& mesh = net->mesh;
-    const auto normals = facet_normals(mesh);
-    const auto at_corners = corner_normals(mesh, options.weight, net->crease_angle);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (normals[t].isZero(0)) continue;  // without area: nothing is seen of it
-      const auto& ends = mesh.triangles[t];
-      Facet facet{object,        {mesh.vertices[ends[0]], mesh.vertices[ends[1]], mesh.vertices[ends[2]]},
-                  at_corners[t], normals[t],
-                  false,         net->parameters[t]};
-      if (facet.normal.dot(scene.camera.eye - facet.corners[0]) < 0) {
-        facet.turned = true;
-        facet.normal = -facet.normal;
-        for (Vec3& normal : facet.normals) normal = -normal;
-      }
-      facets.push_back(facet);
-    }
-  }
-  return facets;
 }
 
 /// The local model at points of facets.
@@ -316,14 +281,6 @@ class Picture {
   std::vector<LightCosines> cosines_;        // of each facet, corner and light
 };
 
-double diagonal(const std::vector<Facet>& facets) {
-  Eigen::AlignedBox3d box;
-  for (const Facet& facet : facets) {
-    for (const Vec3& corner : facet.corners) box.extend(corner);
-  }
-  return box.isEmpty() ? 1 : box.diagonal().norm();
-}
-
 /// "'a', 'b' and 3 more": of the materials that fulfil a condition and that an object is made of.
 template <class Condition>
 std::string materials_with(const Scene& scene, const Condition& condition) {
@@ -354,7 +311,7 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
   const auto facets = facets_of(scene, options);
   if (!facets) return facets.error();
   const Projection projection(*frame, camera.columns * options.samples, camera.rows * options.samples,
-                              kNearPlane * diagonal(*facets));
+                              kNearPlane * diagonal(scene, *facets));
   Picture picture(scene, options, *facets);
   picture.project(projection);
   ShadedView view{Image(camera.columns, camera.rows), facets->size()};
