@@ -36,7 +36,7 @@ inline constexpr int kMostFacets = 4096;
 /// What of an infinite plane an eye can tell from the whole: a square around the eye's foot, 2^21 times as wide as the eye is
 /// high. What it lacks is within 2^-20 of the horizon [rad], a twentieth of a pixel of pictures 2^16 wide.
 /// Returns   two triangles; none where the eye lies in the plane
-/// Accuracy  points between the corners to 2^-31 of the eye's height
+/// Accuracy  points between the corners to 2^-31 of the eye's height; a picture's corners are rounded besides (scan.hpp)
 [[nodiscard]] Tessellation plane_before(const Plane& plane, const Vec3& eye);
 
 }  // namespace etendue

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/view/facets.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <variant>
 
 #include "etendue/text/utf8.hpp"
@@ -47,13 +50,17 @@ Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& o
   return facets;
 }
 
-double diagonal(const Scene& scene, const std::vector<Facet>& facets) {
+double length_to_see(const Scene& scene, const std::vector<Facet>& facets) {
   Eigen::AlignedBox3d box;
+  double height = std::numeric_limits<double>::infinity();
   for (const Facet& facet : facets) {
-    if (std::holds_alternative<Plane>(scene.objects[facet.object].shape)) continue;
-    for (const Vec3& corner : facet.corners) box.extend(corner);
+    if (const auto* plane = std::get_if<Plane>(&scene.objects[facet.object].shape)) {
+      height = std::min(height, std::abs(plane->normal.dot(scene.camera.eye - plane->point)));
+    } else {
+      for (const Vec3& corner : facet.corners) box.extend(corner);
+    }
   }
-  return box.isEmpty() ? 1 : box.diagonal().norm();
+  return std::min(box.isEmpty() ? 1 : box.diagonal().norm(), height);
 }
 
 }  // namespace etendue

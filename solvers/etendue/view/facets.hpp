@@ -23,7 +23,8 @@ struct Facet {
 /// Errors    those of tessellated(); infinite planes, where light is computed at corners
 [[nodiscard]] Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& options);
 
-/// The length of the box around all that is finite; 1 where nothing is.
-[[nodiscard]] double diagonal(const Scene& scene, const std::vector<Facet>& facets);
+/// The diagonal of the box around all that is finite, 1 where nothing is; the eye's height above an infinite plane where that is
+/// less: nothing of a plane is nearer.
+[[nodiscard]] double length_to_see(const Scene& scene, const std::vector<Facet>& facets);
 
 }  // namespace etendue

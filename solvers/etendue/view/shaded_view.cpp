@@ -311,7 +311,7 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
   const auto facets = facets_of(scene, options);
   if (!facets) return facets.error();
   const Projection projection(*frame, camera.columns * options.samples, camera.rows * options.samples,
-                              kNearPlane * diagonal(scene, *facets));
+                              kNearPlane * length_to_see(scene, *facets));
   Picture picture(scene, options, *facets);
   picture.project(projection);
   ShadedView view{Image(camera.columns, camera.rows), facets->size()};
