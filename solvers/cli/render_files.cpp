@@ -28,7 +28,8 @@ ImageMetadata raster_metadata(const RenderRequest& request, const SceneFile& fil
           {"etendue:scene", file.scene.name},
           {"etendue:scene_hash", file.hash},
           {"etendue:shading", request.shading_text()},
-          {"etendue:samples_per_side", std::to_string(request.render.sampling.samples_per_side)}};
+          {"etendue:samples_per_side", std::to_string(request.render.sampling.samples_per_side)},
+          {"etendue:wavelengths", std::to_string(request.render.wavelengths)}};
 }
 
 /// What identifies the picture; nothing that may differ between runs. So equal PNGs are equal files; an EXR's header also

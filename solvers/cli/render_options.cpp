@@ -81,8 +81,8 @@ void declare(Options& options, RenderRequest& request) {
                  "step of 1e-5, or by leaving out a convex surface itself (default: bound)",
                  request.acne_cure);
   options.integer("--wavelengths", "N",
-                  "trace N parts of the visible light apart where a ray meets a material with \"dispersion\" or "
-                  "\"reflectance\"; 81: the CIE's (default: 0, all light at once)",
+                  "N parts of the visible light apart where a ray meets a material with \"dispersion\", or either "
+                  "method one with \"reflectance\"; 81: the CIE's (default: 0, all light at once)",
                   request.render.wavelengths, 0, kMostWavelengths);
   options.text("--aov", "LIST",
                "further channels of the EXR: depth, normal, albedo, object, samples, tree_depth, with commas, or all",

@@ -62,7 +62,11 @@ void print_raster_text(std::ostream& out, const RenderRequest& request, const Sc
   out << "scene       " << scene_line(file) << '\n'
       << "picture     " << rendering.image.columns << " × " << rendering.image.rows << " pixels, by rasteriser\n"
       << "shading     " << request.shading_text() << '\n'
-      << "drawn       " << counted(facts.facets, "triangle") << ", " << n << " × " << n << " samples a pixel\n";
+      << "drawn       " << counted(facts.facets, "triangle") << ", " << n << " × " << n << " samples a pixel"
+      << (request.render.wavelengths > 0
+              ? ", " + counted(static_cast<std::uint64_t>(request.render.wavelengths), "wavelength")
+              : "")
+      << '\n';
   print_shown(out, request, written);
   out << "time        " << rounded(facts.seconds) << " s\n"
       << printable(written.exr.string()) << '\n'
@@ -78,6 +82,7 @@ void print_raster_json(std::ostream& out, const RenderRequest& request, const Sc
   report["settings"] = {{"method", request.method},
                         {"shading", request.shading_text()},
                         {"samples_per_side", request.render.sampling.samples_per_side},
+                        {"wavelengths", request.render.wavelengths},
                         {"exposure", written.scale},
                         {"tone", tone_text(mapping(request.tone, 1))},
                         {"overflow", request.overflow}};

@@ -158,7 +158,6 @@ std::optional<std::string> of_the_other_method(const RenderRequest& request) {
   note(request.filter_width > 0, "--filter-width");
   note(request.shadows != usual.shadows, "--shadows");
   note(request.acne_cure != usual.acne_cure, "--acne-cure");
-  note(request.render.wavelengths > 0, "--wavelengths");
   note(request.facts.has_value(), "--aov");
   note(request.accelerator != usual.accelerator, "--accelerator");
   note(request.pixel.has_value(), "--ray-tree");
@@ -195,6 +194,7 @@ ShadingOptions RenderRequest::shading_options() const {
   if (facets > 0) options.net.facets = facets;
   if (crease_deg >= 0) options.net.crease_angle = std::min(crease_deg / 180, 1.0) * std::numbers::pi;
   options.samples = render.sampling.samples_per_side;
+  options.wavelengths = render.wavelengths;
   return options;
 }
 

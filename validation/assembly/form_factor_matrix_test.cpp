@@ -112,7 +112,7 @@ TEST(FormFactorMatrix, IsReciprocal) {
   for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
     for (std::size_t j = i + 1; j < mesh.elements.size(); ++j) {
       const SightLine line = sights.between(i, j);
-      if (line.sight != Sight::undecided) continue;
+      if (line.sight != PairSight::undecided) continue;
       const PairFactor pair = two_sided_factor({mesh.elements[i].polygon, mesh.elements[j].polygon, line.bodies}, {});
       disagree += !pair.agree || pair.quarterings > 0;
       ++compared;
@@ -156,7 +156,7 @@ TEST(FormFactorMatrix, IsTheSameWithAnyNumberOfThreads) {
   EXPECT_TRUE(holds(part.factors.topRows(10) == one.factors.topRows(10)));
 }
 
-// CLAIM      Sight: "clear", "blocked" and "averted" are true: lines between sampled points of the two elements say the
+// CLAIM      PairSight: "clear", "blocked" and "averted" are true: lines between sampled points of the two elements say the
 //            same. Elements under a box see nothing and are reported as covered.
 // ORACLE     an independent method: segments against rectangles, written out in the test.
 // TOLERANCE  none: a segment that contradicts a decision is a mismatch; segments that graze (2^-20) decide nothing.
@@ -198,14 +198,14 @@ TEST(FormFactorMatrix, DecidesSightConservatively) {
         for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
           const bool touched = hits(mesh.faces[f].polygon, a, b);
           hit = hit || touched;
-          if (touched && line.sight == Sight::undecided) {
+          if (touched && line.sight == PairSight::undecided) {
             listed = listed && std::count(line.blockers.begin(), line.blockers.end(), f) == 1;
           }
         }
-        if (line.sight == Sight::averted) wrong += fronts;
-        if (line.sight == Sight::clear) wrong += fronts && hit;
-        if (line.sight == Sight::blocked) wrong += !hit;
-        if (line.sight == Sight::undecided) wrong += fronts && !listed;
+        if (line.sight == PairSight::averted) wrong += fronts;
+        if (line.sight == PairSight::clear) wrong += fronts && hit;
+        if (line.sight == PairSight::blocked) wrong += !hit;
+        if (line.sight == PairSight::undecided) wrong += fronts && !listed;
       }
     }
   }
@@ -213,7 +213,7 @@ TEST(FormFactorMatrix, DecidesSightConservatively) {
   EXPECT_TRUE(all_agree(wrong, decided));
 }
 
-// CLAIM      Sight: what lies under one pillar sees nothing of what lies above it, where the pillar is as wide as the two
+// CLAIM      PairSight: what lies under one pillar sees nothing of what lies above it, where the pillar is as wide as the two
 //            elements, too, so that all lines between their corners run along its edges; and asking through an Approach
 //            makes no difference.
 // ORACLE     exact: the pillar fills the space between.
@@ -239,7 +239,7 @@ TEST(FormFactorMatrix, SeesNothingThroughAPillar) {
         const SightLine line = sights.between(i, j), again = sights.between(i, j, approach);
         wrong += line.sight != again.sight || line.blockers != again.blockers || line.bodies != again.bodies;
         if (!covered(i) || !covered(j)) continue;
-        wrong += line.sight != Sight::blocked;
+        wrong += line.sight != PairSight::blocked;
         ++pillars;
       }
     }

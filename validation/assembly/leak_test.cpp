@@ -11,6 +11,7 @@
 #include "etendue/refinement/adaptive_radiosity.hpp"
 #include "etendue/view/vertex_radiosity.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -180,7 +181,8 @@ std::string percent(double share) {
 // ORACLE     closed form: zero on the dark side, for the cut ones; the file's other numbers are held to what is computed.
 // TOLERANCE  cut: 1e-12 as above; with hemicubes kPixel, measured 4.5e-6. Stated: the digits that are printed.
 TEST(Leak, IsWhatItsReadmeStates) {
-  proves({"IU.6.5.1"}, Oracle::closed_form, "the table of the scene's description; zero after the cut");
+  proves({"IU.6.5.1"}, Oracle::closed_form,
+         "the table of the scene's description (its last row in a long run); zero after the cut");
   const std::string readme = read_text(source_root() / "scenes/leak/README.md");
   std::string cut_elements;
   for (const bool cut : {false, true}) {
@@ -193,7 +195,7 @@ TEST(Leak, IsWhatItsReadmeStates) {
     rows.push_back(full("3 × 3 on the floor, full matrix", scene(3)));
     rows.push_back(full("6 × 6, full matrix", scene(6)));
     rows.push_back(refined("3 × 3, hemicubes", scene(3), false));
-    rows.push_back(refined("adaptive, 3 levels", scene(3), true));
+    if (every(5) == 1) rows.push_back(refined("adaptive, 3 levels", scene(3), true));
     for (const Row& row : rows) {
       if (cut) {
         EXPECT_TRUE(within(row.leaked.largest, row.dark)) << row.name;
@@ -208,7 +210,8 @@ TEST(Leak, IsWhatItsReadmeStates) {
       EXPECT_TRUE(holds(readme.find(line) != std::string::npos)) << line;
     }
   }
-  const std::string line = "| each of these with `--align-mesh` | " + cut_elements + " | 0 | 0 | 0 |\n";
+  const std::string line =
+      "| each of these with `--align-mesh` | " + cut_elements + (every(5) == 1 ? " | 0 | 0 | 0 |\n" : ", ");
   EXPECT_TRUE(holds(readme.find(line) != std::string::npos)) << line;
 }
 

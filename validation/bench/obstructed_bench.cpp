@@ -94,8 +94,8 @@ RowSum row_sum(const ElementMesh& mesh, const etendue::SightMap& sights, std::si
   for (std::size_t j = 0; j < mesh.elements.size(); ++j) {
     if (i == j) continue;
     etendue::SightLine line = sights.between(i, j);
-    if (line.sight == etendue::Sight::undecided) partial.emplace_back(j, std::move(line));
-    if (line.sight != etendue::Sight::clear) continue;
+    if (line.sight == etendue::PairSight::undecided) partial.emplace_back(j, std::move(line));
+    if (line.sight != etendue::PairSight::clear) continue;
     const etendue::Bounded f = etendue::form_factor(from, mesh.elements[j].polygon, {0.1 * asked, 0});
     sum.value += f.value;
     sum.bound += f.bound;

@@ -92,7 +92,6 @@ TEST(RasterCommand, RefusesOptionsOfTheOtherMethod) {
                                                                                       {"--crop", "0,0,2,2"},
                                                                                       {"--ray-tree", "1,1"},
                                                                                       {"--filter", "tent"},
-                                                                                      {"--wavelengths", "3"},
                                                                                       {"--accelerator", "grid"}}) {
     EXPECT_TRUE(refused({"--method", "raster", option, value}, "option '" + option + "' is for --method raytrace"));
   }

@@ -14,6 +14,7 @@
 #include "oracles/obstructed_pairs.hpp"
 #include "oracles/parallel_plates.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -254,13 +255,15 @@ TEST(CertifiedObstruction, TakesAnyNumberOfBlockers) {
 // ORACLE     table: two integrations in slices by an oracle of its own (reference/obstructed_pairs_table.cpp).
 // TOLERANCE  the table's uncertainty, kFrame for the rounding of the frame; the goal asked where it is said to be met.
 TEST(CertifiedObstruction, HoldsEveryPairOfTheTable) {
-  proves({"IU.6-4"}, Oracle::table, "reference/obstructed_pairs.csv: random pairs with plates in seven families");
+  proves({"IU.6-4"}, Oracle::table,
+         "reference/obstructed_pairs.csv: every fifth random pair with plates in seven families; in a long run all");
   constexpr std::size_t kLeastRows = 700;
   constexpr double kFrame = 64 * 0x1p-53, kAsked = 0.1, kAtLeast = 1e-9;
   const std::vector<TableRow> rows = table_rows();
   ASSERT_GE(rows.size(), kLeastRows);
   std::uint64_t outside = 0, overstated = 0;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
+  std::size_t judged = 0;
+  for (std::size_t k = 0; k < rows.size(); k += every(5), ++judged) {
     const oracle::ObstructedPair pair = oracle::obstructed_pair(rows[k].family, rows[k].index);
     const Polygon from = turned(pair.from), to = turned(pair.to);
     std::vector<Polygon> plates;
@@ -273,8 +276,8 @@ TEST(CertifiedObstruction, HoldsEveryPairOfTheTable) {
     outside += !well;
     overstated += f.reached && !(0.5 * f.factor.width() <= std::max(kAtLeast, kAsked * f.factor.middle()));
   }
-  EXPECT_TRUE(all_agree(outside, rows.size()));
-  EXPECT_TRUE(all_agree(overstated, rows.size()));
+  EXPECT_TRUE(all_agree(outside, judged));
+  EXPECT_TRUE(all_agree(overstated, judged));
 }
 
 // CLAIM      IU.6-4: shadow hulls close in past any blockers, if slowly: sixteen times the work leaves at most half the width,

@@ -12,6 +12,7 @@
 #include "form_factor/shapes.hpp"
 #include "oracles/round_pairs.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -93,11 +94,13 @@ constexpr std::size_t kLeastRows = 360;
 // TOLERANCE  the returned bound and the table's uncertainty. Asked: 1e-3, 1e-4, 1e-2 in turn, from the one side and from the
 //            other in turn.
 TEST(CurvedTable, KeepsItsBoundInEveryPair) {
-  proves({"IU.6-3", "IU.6-4"}, Oracle::table, "reference/round_pairs.csv: random round pairs in six families");
+  proves({"IU.6-3", "IU.6-4"}, Oracle::table,
+         "reference/round_pairs.csv: every fifth random round pair in six families; in a long run all");
   const std::vector<RoundRow> table = round_rows();
   ASSERT_GE(table.size(), kLeastRows);
   std::uint64_t outside = 0, unreached = 0;
-  for (std::size_t k = 0; k < table.size(); ++k) {
+  std::size_t judged = 0;
+  for (std::size_t k = 0; k < table.size(); k += every(5), ++judged) {
     const RoundRow& row = table[k];
     oracle::RoundPair pair = oracle::round_pair(row.family, row.index);
     if (row.index % 2 == 1) std::swap(pair.from, pair.to);
@@ -114,8 +117,8 @@ TEST(CurvedTable, KeepsItsBoundInEveryPair) {
     outside += !(0 <= found.value && found.value <= least * (1 + 0x1p-50));
     unreached += !found.reached;
   }
-  EXPECT_TRUE(all_agree(outside, table.size()));
-  EXPECT_TRUE(all_agree(unreached, table.size()));
+  EXPECT_TRUE(all_agree(outside, judged));
+  EXPECT_TRUE(all_agree(unreached, judged));
 }
 
 // CLAIM      IU.6-4: the table is what its generator makes, and what lines at random find.

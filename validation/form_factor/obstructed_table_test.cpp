@@ -12,6 +12,7 @@
 #include "form_factor/shapes.hpp"
 #include "oracles/obstructed_pairs.hpp"
 #include "support/evidence.hpp"
+#include "support/long_run.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -40,12 +41,14 @@ constexpr double kGoal = 1e-8;  ///< of the recomputed rows; their own error say
 // TOLERANCE  the returned bound, the table's uncertainty, kFrame. Asked: 1e-3, 1e-4 and 1e-6 in turn, of the first polygon
 //            and of the second in turn.
 TEST(ObstructedTable, KeepsItsBoundInEveryPair) {
-  proves({"IU.6-4"}, Oracle::table, "reference/obstructed_pairs.csv: random pairs with plates in seven families");
+  proves({"IU.6-4"}, Oracle::table,
+         "reference/obstructed_pairs.csv: every fifth random pair with plates in seven families; in a long run all");
   const std::vector<TableRow> table = table_rows();
   ASSERT_GE(table.size(), kLeastRows);
   std::uint64_t outside = 0, unreached = 0;
   double loosest = 0;
-  for (std::size_t k = 0; k < table.size(); ++k) {
+  std::size_t judged = 0;
+  for (std::size_t k = 0; k < table.size(); k += every(5), ++judged) {
     const TableRow& row = table[k];
     Scene scene(oracle::obstructed_pair(row.family, row.index));
     if (k % 2 == 1) std::swap(scene.from, scene.to);
@@ -58,8 +61,8 @@ TEST(ObstructedTable, KeepsItsBoundInEveryPair) {
     unreached += !f.reached;
     if (f.reached) loosest = std::max(loosest, f.bound / std::max(1e-9, asked * f.value));
   }
-  EXPECT_TRUE(all_agree(outside, table.size()));
-  EXPECT_TRUE(all_agree(unreached, table.size()));
+  EXPECT_TRUE(all_agree(outside, judged));
+  EXPECT_TRUE(all_agree(unreached, judged));
   EXPECT_TRUE(within(loosest, 1));
 }
 

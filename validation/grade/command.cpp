@@ -98,7 +98,7 @@ Result<Done> export_cases(const Request& request, const std::vector<GradeCase>& 
 }
 
 /// One process: the program on one case.
-Verdict ask(const Request& request, const GradeCase& asked) {
+CaseVerdict ask(const Request& request, const GradeCase& asked) {
   const TemporaryFolder folder;
   ProcessOptions options;
   options.in = folder.add("case.json", asked.question);
@@ -109,7 +109,7 @@ Verdict ask(const Request& request, const GradeCase& asked) {
   std::vector<std::string> arguments(request.command.begin() + 1, request.command.end());
   arguments.push_back(options.in.string());
   const Ended ended = run_process(request.command.front(), arguments, options);
-  return cli::stop_requested() ? Verdict{} : judge(asked, ended);
+  return cli::stop_requested() ? CaseVerdict{} : judge(asked, ended);
 }
 
 /// Throws where the program cannot be started.

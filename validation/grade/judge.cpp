@@ -32,8 +32,8 @@ std::string broken(const Ended& ended) {
   return {};
 }
 
-Verdict failed(std::string reason) {
-  Verdict verdict;
+CaseVerdict failed(std::string reason) {
+  CaseVerdict verdict;
   verdict.mark = Mark::failed;
   verdict.reason = std::move(reason);
   return verdict;
@@ -49,8 +49,8 @@ std::string shown(const std::vector<double>& values, bool array) {
   return array ? "[" + text + "]" : text;
 }
 
-Verdict judge_numbers(const GradeCase& asked, const std::vector<double>& values) {
-  Verdict verdict;
+CaseVerdict judge_numbers(const GradeCase& asked, const std::vector<double>& values) {
+  CaseVerdict verdict;
   double worst = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double off = std::max({0.0, asked.truth.low[i] - values[i], values[i] - asked.truth.high[i]});
@@ -65,10 +65,10 @@ Verdict judge_numbers(const GradeCase& asked, const std::vector<double>& values)
   return verdict;
 }
 
-Verdict judge_value(const GradeCase& asked, const Json& value) {
+CaseVerdict judge_value(const GradeCase& asked, const Json& value) {
   const Enclosure& truth = asked.truth;
   if (value == "none") {
-    Verdict verdict;
+    CaseVerdict verdict;
     if (!truth.none) return failed("answered \"none\", right is " + shown(truth.low, truth.array));
     verdict.mark = Mark::passed;
     verdict.share = 0;
@@ -89,7 +89,7 @@ Verdict judge_value(const GradeCase& asked, const Json& value) {
   return judge_numbers(asked, values);
 }
 
-Verdict judge_answer(const GradeCase& asked, const std::string& printed) {
+CaseVerdict judge_answer(const GradeCase& asked, const std::string& printed) {
   if (printed.find_first_not_of(" \t\r\n") == std::string::npos) return failed("printed no answer");
   const Json answer = Json::parse(printed, nullptr, false);
   if (answer.is_discarded()) {
@@ -103,7 +103,7 @@ Verdict judge_answer(const GradeCase& asked, const std::string& printed) {
   if (value == unsupported)
     return failed("printed '" + printable(printed, kShown) +
                   R"(', expected an object with "value" or with "unsupported")");
-  Verdict verdict;
+  CaseVerdict verdict;
   if (value) {
     verdict = judge_value(asked, answer["value"]);
     verdict.answer = answer["value"].dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -131,9 +131,9 @@ const char* name(Mark mark) {
   return "unknown";
 }
 
-Verdict judge(const GradeCase& asked, const Ended& ended) {
+CaseVerdict judge(const GradeCase& asked, const Ended& ended) {
   const std::string why = broken(ended);
-  Verdict verdict = why.empty() ? judge_answer(asked, ended.out) : failed(why);
+  CaseVerdict verdict = why.empty() ? judge_answer(asked, ended.out) : failed(why);
   verdict.seconds = ended.seconds;
   return verdict;
 }

@@ -13,7 +13,7 @@ enum class Mark { passed, failed, unsupported, not_run };
 const char* name(Mark mark);
 
 /// What became of one case.
-struct Verdict {
+struct CaseVerdict {
   Mark mark = Mark::not_run;
   std::optional<double> share;  ///< distance from the enclosure in tolerances; none where there is no number to judge
   std::string answer;           ///< as JSON; empty where there is none
@@ -23,6 +23,6 @@ struct Verdict {
 
 /// Judges what a program printed for a case, and how it ended. An answer is {"value": …} or {"unsupported": "reason"}: a number, an
 /// array of as many numbers as are asked for, or "none". Right is what lies within the tolerance of [low, high], each number by itself.
-[[nodiscard]] Verdict judge(const GradeCase& asked, const Ended& ended);
+[[nodiscard]] CaseVerdict judge(const GradeCase& asked, const Ended& ended);
 
 }  // namespace etendue::validation

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void count(Tally& tally, const GradeCase& asked, const Verdict& verdict) {
+void count(Tally& tally, const GradeCase& asked, const CaseVerdict& verdict) {
   ++tally.cases;
   tally.passed += verdict.mark == Mark::passed;
   tally.failed += verdict.mark == Mark::failed;
@@ -64,7 +64,7 @@ Json from(const Tally& tally) {
   return json;
 }
 
-Json from(const GradeCase& asked, const Verdict& verdict) {
+Json from(const GradeCase& asked, const CaseVerdict& verdict) {
   Json json;
   json["id"] = asked.id;
   json["subject"] = asked.subject;

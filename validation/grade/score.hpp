@@ -20,7 +20,7 @@ struct Tally {
 struct Score {
   std::vector<std::string> command;
   std::vector<GradeCase> cases;
-  std::vector<Verdict> verdicts;
+  std::vector<CaseVerdict> verdicts;
 
   /// A row a subject, in the order of the cases' ids.
   [[nodiscard]] std::vector<Tally> by_subject() const;

@@ -40,7 +40,7 @@ Scene triangles_about(const Vec3& eye, int count, Draw& draw) {
   return scene_of(shapes);
 }
 
-PixelView turned_view(const Vec3& eye, int side, PixelWindow window, Draw& draw) {
+PixelView turned_view(const Vec3& eye, int side, ViewOutline window, Draw& draw) {
   const Eigen::AngleAxisd turn(3 * draw.unit(), draw.vector().normalized());
   return {eye,   turn * Vec3::UnitX(), turn * Vec3::UnitY(), turn * Vec3::UnitZ(), side, side, -2, -2, 3.0 / side,
           window};
@@ -79,7 +79,7 @@ TEST(ItemBuffer, HoldsWhatARayMeetsFirst) {
     const Vec3 eye = (trial % 3 == 2 ? 100.0 : 1.0) * draw.vector();
     const Scene scene = triangles_about(eye, 40, draw);
     const auto accelerator = make_accelerator(scene, AcceleratorKind::bounding_volumes);
-    const PixelWindow window = trial % 2 == 0 ? PixelWindow::rectangle : PixelWindow::upper_triangle;
+    const ViewOutline window = trial % 2 == 0 ? ViewOutline::rectangle : ViewOutline::upper_triangle;
     const PixelView view = turned_view(eye, kSide, window, draw);
     const ItemBuffer buffer = drawn(scene, view);
     for (int row = 0; row < kSide; ++row) {
@@ -128,7 +128,7 @@ TEST(ItemBuffer, LetsNoRayThroughBetweenParts) {
                                        polygon({at(-cut, cut, 1), at(9, cut, 1), at(9, 9, 1), at(-cut, 9, 1)}),
                                        polygon({at(-40, -40, 3), at(40, -40, 3), at(40, 40, 3), at(-40, 40, 3)})};
     ItemBuffer buffer({Vec3::Zero(), turn * Vec3::UnitX(), turn * Vec3::UnitY(), turn * Vec3::UnitZ(), kSide, kSide, -1,
-                       -1, 2.0 / kSide, PixelWindow::rectangle});
+                       -1, 2.0 / kSide, ViewOutline::rectangle});
     for (std::size_t k = walls.size(); k-- > 0;) {
       buffer.draw(walls[k].vertices(), walls[k].normal(), static_cast<std::int32_t>(k));
     }
@@ -160,7 +160,7 @@ TEST(ItemBuffer, ShowsTheFrontOfWhatHasNoThickness) {
                          -0.2,
                          -0.2,
                          0.02,
-                         PixelWindow::rectangle});
+                         ViewOutline::rectangle});
       const auto put = [&](const Polygon& p, std::int32_t item) { buffer.draw(p.vertices(), p.normal(), item); };
       if (first) put(up, 0);
       put(down, 1);
@@ -174,8 +174,8 @@ TEST(ItemBuffer, ShowsTheFrontOfWhatHasNoThickness) {
   // Odd: the middle column looks along the plane of the polygon, whose corners are rounded to either side of it.
   Draw draw(kSeed);
   for (int trial = 0; trial < 200; ++trial) {
-    const PixelView turned = turned_view(3 * draw.vector(), 5, PixelWindow::rectangle, draw);
-    const PixelView view{turned.eye, turned.across, turned.up, turned.gaze, 5, 5, -1, -1, 0.4, PixelWindow::rectangle};
+    const PixelView turned = turned_view(3 * draw.vector(), 5, ViewOutline::rectangle, draw);
+    const PixelView view{turned.eye, turned.across, turned.up, turned.gaze, 5, 5, -1, -1, 0.4, ViewOutline::rectangle};
     const auto at = [&](double high, double deep) { return Vec3(view.eye + high * view.up + deep * view.gaze); };
     const Polygon edge_on = polygon({at(-1, 1.1), at(1.3, 0.9), at(1, 2.3), at(-1.2, 2)});
     ItemBuffer along(view);

@@ -120,6 +120,100 @@ TEST(SpectralPixel, IsWhiteOfTheLightInRasterisedPictures) {
   }
 }
 
+/// Two balls, one of which reflects by wavelength, behind a glass ball that does not; a triangle that does lies before all.
+Scene spectral_balls() {
+  Scene scene;
+  scene.camera = straight(48, 36);
+  scene.background = {0.25, 0.5, 0.75};
+  scene.ambient = Rgb::Constant(0.25);
+  scene.lights.emplace_back(DirectionalLight{Vec3(1, 2, -2).normalized(), Rgb(0.75, 0.5, 1)});
+  Material waves = diffuse(0.4);
+  waves.reflectance = Spectrum{{{380, 0.1}, {500, 0.7}, {580, 0.05}, {640, 0.7}, {780, 0.2}}};
+  add(scene, Sphere{{-1, 0, 5}, 1}, waves);
+  add(scene, Sphere{{1, 0, 5}, 1}, diffuse(0.4));
+  Material glass = diffuse(0.2);
+  glass.see_through = TransparencyLaw{{0.5, 0.5}, 1};
+  add(scene, Sphere{{0, 0.5, 3}, 0.4}, glass);
+  waves.see_through = glass.see_through;
+  add(scene, Triangle{{0.4, -0.8, 2.5}, {1, -0.8, 2.5}, {0.4, -0.3, 2.5}}, waves);
+  return scene;
+}
+
+// CLAIM      IU.2.9b: a rasterised picture at N wavelengths is the sum of pictures at each, in every way of shading; seen through glass and as
+//            glass, too. Pixels that show no reflectance are those of three channels, to the bit.
+// ORACLE     metamorphic, linearity: pictures of scenes whose grey is the reflectance at one wavelength, added up with the weights of the CIE's
+//            table. The local model is linear in k_d and k_a, wherever these are interpolated.
+// TOLERANCE  a picture's own roundings, some 30 u of at most 1, times the absolute sum of the weights, below 3 for N = 9; 4 N u for
+//            the sum. Mixed pixels have both kinds of samples, and white for each: the weights sum to 1 by daylight.
+TEST(SpectralPicture, IsTheSumOfRasterisedPictures) {
+  proves({"IU.2.9b"}, Oracle::metamorphic, "pictures in one grey each, added up");
+  constexpr int kWavelengths = 9;
+  const Scene scene = spectral_balls();
+  auto samples = lit(even_wavelengths(kWavelengths), day());
+  for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong, Shading::dot}) {
+    ShadingOptions options;
+    options.shading = shading;
+    const auto picture = [&](const Scene& shown) { return view_shaded(shown, options).value().image; };
+    const Image plain = picture(scene);
+    Image sum(plain.columns, plain.rows);
+    for (const WavelengthSample& sample : samples) {
+      Scene grey = scene;
+      for (Material& material : grey.materials) {
+        if (material.reflectance)
+          material.k_d = material.k_a = Rgb::Constant(material.reflectance->at(sample.wavelength));
+      }
+      const Image one = picture(grey);
+      for (std::size_t i = 0; i < sum.pixels.size(); ++i) sum.pixels[i] += sample.weight * one.pixels[i];
+    }
+    Scene lit_scene = scene;
+    lit_scene.illuminant = day();
+    options.wavelengths = kWavelengths;
+    const Image seen = picture(lit_scene);
+    std::uint64_t same = 0, apart = 0;
+    double worst = 0;
+    for (std::size_t i = 0; i < seen.pixels.size(); ++i) {
+      worst = std::max(worst, (seen.pixels[i] - sum.pixels[i]).abs().maxCoeff());
+      same += (seen.pixels[i] == plain.pixels[i]).all() ? 1u : 0u;
+      apart += (seen.pixels[i] - plain.pixels[i]).abs().maxCoeff() > 0.02 ? 1u : 0u;
+    }
+    EXPECT_TRUE(within(worst, (3 * 30 + 4 * kWavelengths) * u));
+    EXPECT_TRUE(holds(same > 1000 && apart > 50)) << same << ' ' << apart;
+  }
+}
+
+// CLAIM      IU.2.9b: by rasteriser the shipped pair is what it is by rays: one colour by daylight, two by incandescent light.
+// ORACLE     another method: the ray tracer, at the middle of each half, where no shadow falls.
+// TOLERANCE  the normal of a polygon of the net is the square's own; some 20 roundings for each of 81 wavelengths.
+TEST(MetamericPair, IsRasterisedAsItIsTraced) {
+  proves({"IU.2.9b"}, Oracle::program, "rays through the same pixels");
+  for (const char* file : {"scene.json", "incandescent.json"}) {
+    Scene scene = read_scene(source_root() / "scenes/metamers" / file).value().scene;
+    scene.camera.columns /= 8;
+    scene.camera.rows /= 8;
+    RenderOptions rays;
+    rays.sampling.samples_per_side = 1;
+    rays.facts = {PictureFact::object};
+    ShadingOptions shading;
+    shading.samples = 1;
+    rays.wavelengths = shading.wavelengths = 81;
+    rays.shadows.kind = ShadowKind::opaque;
+    const auto traced = render(*make_accelerator(scene, AcceleratorKind::bounding_volumes), rays, {});
+    const auto drawn = view_shaded(scene, shading);
+    ASSERT_TRUE(traced.ok() && drawn.ok());
+    std::uint64_t square = 0, unlike = 0;
+    for (std::size_t i = 0; i < traced->image.pixels.size(); ++i) {
+      const auto object = static_cast<int>(traced->facts[0].pixels[i][0]);
+      if (object < 0 || !std::holds_alternative<Polygon>(scene.objects[static_cast<std::size_t>(object)].shape))
+        continue;
+      if (!scene.materials[scene.objects[static_cast<std::size_t>(object)].material].reflectance) continue;
+      ++square;
+      unlike += (traced->image.pixels[i] - drawn->image.pixels[i]).abs().maxCoeff() > 20 * 81 * u ? 1u : 0u;
+    }
+    EXPECT_GT(square, 100u);
+    EXPECT_TRUE(all_agree(unlike, square));
+  }
+}
+
 struct Halves {
   Rgb even, waves;
 };

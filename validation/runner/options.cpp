@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kKnown = {"--filter", "--claim",   "--subject",           "--long",   "--text", "--json",
                                "--junit",  "--report",  "--history",           "--quiet",  "--list", "--claims",
-                               "--help",   "--version", "--update-references", "--reason", "--jobs"};
+                               "--help",   "--version", "--update-references", "--reason", "--jobs", "--all"};
 
 /// Levenshtein's distance: how many single letters to change, insert or drop.
 std::size_t edits(const std::string& a, const std::string& b) {
@@ -68,8 +68,10 @@ std::string* value_of(Options& options, std::string& jobs, const std::string& op
 bool set_flag(Options& options, const std::string& option) {
   if (option == "--quiet")
     options.quiet = true;
+  else if (option == "--all")
+    options.all = true;
   else if (option == "--long")
-    options.deep = true;
+    options.all = options.deep = true;
   else if (option == "--help" || option == "-h")
     options.action = Options::Action::help;
   else if (option == "--version")
@@ -137,8 +139,9 @@ Options
   --filter ID|PATTERN  run only tests that prove this claim or erratum, or whose name fits (* any, ? one); repeatable
   --claim ID           run only tests that prove this claim or erratum; repeatable, and joined with --filter and --subject
   --subject NAME       run only tests of one subject ("form factors") or module (form_factor); repeatable
-  --long               the deep version: a hundred times as many random rays and pairs, 10^8 rays at the edges of a mesh and
-                       more than 10^5 pairs of polygons; hours, with a bar that shows how far it is
+  --all                run the tests of the program's commands too: what they prove of the claims other tests prove as well
+  --long               the deep version of all: a hundred times as many random rays and pairs, 10^8 rays at the edges of a
+                       mesh and more than 10^5 pairs of polygons; hours, with a bar that shows how far it is
   --jobs N             run N tests at a time, each process taking the next (default: one a core)
   --text FILE          write the table to FILE
   --json FILE          write all evidence to FILE as JSON

@@ -12,8 +12,8 @@ namespace etendue::validation {
 struct Options {
   enum class Action { run, help, version, list, claims, update_references };
   Action action = Action::run;
-  std::vector<std::string> filters;  ///< ids or patterns; a test runs if it fits any of these three; all empty: all run
-  std::vector<std::string> claims;   ///< ids of the register
+  std::vector<std::string> filters;   ///< ids or patterns; a test runs if it fits any of these three
+  std::vector<std::string> claims;    ///< ids of the register
   std::vector<std::string> subjects;  ///< subjects of the register, or folders of tests
   std::string text_path;
   std::string json_path;
@@ -23,7 +23,8 @@ struct Options {
   std::string references;                  ///< which to update: "all", or how their paths begin
   std::string reason;                      ///< why
   int jobs = 0;                            ///< processes at a time; 0: as many as there are cores
-  bool deep = false;                       ///< the long version of tests that have one
+  bool all = false;                        ///< the tests of commands as well
+  bool deep = false;                       ///< the long version of tests that have one; and all of them
   bool quiet = false;                      ///< nothing but failures and the headline on stdout
   std::vector<std::string> gtest_options;  ///< handed on to GoogleTest as they are
 };

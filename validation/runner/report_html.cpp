@@ -52,7 +52,8 @@ void append_verdict(std::string& page, const Json& report, const Summary& summar
   if (summary.failed > 0) page += std::to_string(summary.failed) + " of the tests failed. ";
   if (!summary.problems.empty()) page += std::to_string(summary.problems.size()) + " problems. ";
   if (summary.not_run > 0) page += std::to_string(summary.not_run) + " tests were not run. ";
-  page += std::to_string(summary.passed) + " tests passed; " + headline(summary) + ".</p>\n<dl>\n";
+  page += std::to_string(summary.passed) + " tests passed" + left_out_text(summary) + "; " + headline(summary) +
+          ".</p>\n<dl>\n";
   const auto& build = report["build"];
   append_fact(page, "Build",
               text_of(build["compiler"]) + ", " + text_of(build["build_type"]) +

@@ -96,7 +96,7 @@ std::string text_report(const Summary& summary, const BuildInfo& build) {
   for (const auto& problem : summary.problems) text += "PROBLEM " + problem + "\n";
   text += stop_notice(summary);
   text += std::to_string(summary.passed) + (summary.passed == 1 ? " test passed, " : " tests passed, ") +
-          std::to_string(summary.failed) + " failed\n";
+          std::to_string(summary.failed) + " failed" + left_out_text(summary) + "\n";
   text += headline(summary) + "\n";
   return text;
 }

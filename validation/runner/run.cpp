@@ -137,10 +137,22 @@ Result<Done> write_reports(const Options& options, const Summary& summary, const
   return write_files(files);
 }
 
-/// Did nothing narrow the run: no filter, no shard?
-bool selects_everything() {
-  return GTEST_FLAG_GET(filter) == "*" && std::getenv("GTEST_TOTAL_SHARDS") == nullptr;
+/// Has the user narrowed the run: by a choice of ours (`filter`), one of GoogleTest's, a shard?
+bool narrowed(const std::string& filter) {
+  return !filter.empty() || GTEST_FLAG_GET(filter) != "*" || std::getenv("GTEST_TOTAL_SHARDS") != nullptr;
 }
+
+void leave_out(const std::vector<std::string>& tests) {
+  std::string filter = "-";
+  for (const auto& test : tests) filter += ":" + test;
+  GTEST_FLAG_SET(filter, filter);
+}
+
+/// What is being run, beyond the command line.
+struct Selection {
+  bool whole = true;  ///< nothing narrowed it
+  int left_out = 0;   ///< tests of commands, of a whole run
+};
 
 /// A disabled test would be a check that silently does not happen: it counts as skipped.
 void add_disabled(std::vector<TestRun>& tests) {
@@ -197,7 +209,7 @@ int jobs_of(const Options& options) {
   return std::clamp(wanted, 1, std::max(tests, 1));
 }
 
-int run_tests(const Options& options, const Register& all, const std::vector<PastRun>& past) {
+int run_tests(const Options& options, const Register& all, const std::vector<PastRun>& past, Selection selection) {
   const auto start = std::chrono::steady_clock::now();
   const int jobs = jobs_of(options);
   Result<TestsDone> run = jobs > 1 ? run_in_workers(jobs, depth_of(options)) : run_here(options);
@@ -205,10 +217,11 @@ int run_tests(const Options& options, const Register& all, const std::vector<Pas
   TestsDone done = std::move(run).value();
   const bool stopped =
       std::any_of(done.tests.begin(), done.tests.end(), [](const TestRun& t) { return t.outcome == Outcome::not_run; });
-  const bool full = selects_everything() && !stopped;
+  const bool full = selection.whole && !stopped;
   if (full) add_disabled(done.tests);
   // What GoogleTest thinks is told again, test by test, by the summary; but it also sees failures outside tests.
   Summary summary = summarize(all, std::move(done.tests), full);
+  summary.left_out = selection.left_out;
   summary.problems.insert(summary.problems.begin(), done.problems.begin(), done.problems.end());
   BuildInfo build = build_info();
   build.command += choice_text(options);
@@ -247,10 +260,15 @@ int run_action(const Options& options, const Register& all) {
   if (!filter) return fail(filter.error());
   const auto ready = init_gtest(options);
   if (!ready) return fail(ready.error());
+  Selection selection{!narrowed(*filter), 0};
   if (!filter->empty()) GTEST_FLAG_SET(filter, *filter);
-  if (options.deep) begin_long_run();
   if (GTEST_FLAG_GET(list_tests)) return RUN_ALL_TESTS();
-  return run_tests(options, all, *past);
+  if (const auto commands = command_tests(); selection.whole && !options.all && !commands.empty()) {
+    leave_out(commands);
+    selection.left_out = static_cast<int>(commands.size());
+  }
+  if (options.deep) begin_long_run();
+  return run_tests(options, all, *past, selection);
 }
 
 int run(int argc, char** argv, std::string_view claims_json, std::string_view errata_json) {

@@ -124,12 +124,20 @@ Result<std::string> gtest_filter(const Options& options, const Register& all) {
   return filter;
 }
 
+std::vector<std::string> command_tests() {
+  std::vector<std::string> names;
+  for (const auto& [test, folders] : modules()) {
+    if (folders.count("cli") != 0) names.push_back(test);
+  }
+  return names;
+}
+
 std::string choice_text(const Options& options) {
   std::string text;
   for (const auto& pattern : options.filters) text += " --filter '" + pattern + "'";
   for (const auto& claim : options.claims) text += " --claim '" + claim + "'";
   for (const auto& subject : options.subjects) text += " --subject '" + subject + "'";
-  return text + (options.deep ? " --long" : "");
+  return text + (options.deep ? " --long" : options.all ? " --all" : "");
 }
 
 }  // namespace etendue::validation

@@ -109,6 +109,10 @@ Summary summarize(const Register& all, std::vector<TestRun> tests, bool full) {
   return summary;
 }
 
+std::string left_out_text(const Summary& summary) {
+  return summary.left_out == 0 ? "" : "; " + std::to_string(summary.left_out) + " of commands left out (--all)";
+}
+
 std::string headline(const Summary& summary) {
   return std::to_string(summary.verified) + (summary.verified == 1 ? " claim verified, " : " claims verified, ") +
          std::to_string(summary.refuted) + " refuted with the mended form verified, " + std::to_string(summary.open) +

@@ -62,7 +62,8 @@ struct Summary {
   std::vector<std::string> problems;  ///< anything that makes the run fail beside failed tests
   int passed = 0;
   int failed = 0;
-  int not_run = 0;  ///< tests, for the user stopped the run
+  int not_run = 0;   ///< tests, for the user stopped the run
+  int left_out = 0;  ///< tests of commands, which nobody asked for
   int verified = 0;
   int refuted = 0;
   int open = 0;
@@ -72,11 +73,14 @@ struct Summary {
   bool ok() const { return failed == 0 && problems.empty(); }
 };
 
-/// `full`: every test was selected, so a row without a passing test is a problem.
+/// `full`: nothing narrowed the run, so a row without a passing test is a problem.
 Summary summarize(const Register& all, std::vector<TestRun> tests, bool full);
 
 /// "12 claims verified, 3 refuted with the mended form verified, 90 open; 5 errata proved"
 std::string headline(const Summary& summary);
+
+/// "; 109 of commands left out (--all)"; nothing when none were.
+std::string left_out_text(const Summary& summary);
 
 /// "STOPPED: 3 tests were not run", and from which suites; nothing when the run was not stopped.
 std::string stop_notice(const Summary& summary);

@@ -6,9 +6,11 @@ import json
 import os
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import xml.etree.ElementTree
 
 program, front = sys.argv[1:]
@@ -55,6 +57,21 @@ with tempfile.TemporaryDirectory() as folder:
     for other in (json_path, os.path.join(folder, "link", "a.json"), os.path.join(folder, ".", "a.json")):
         demand("two reports in one file are refused before the run", ["--json", json_path, "--text", other], 2,
                f"etendue-validate: --text and --json name the same file, '{json_path}': one would replace the other\n")
+    # A run that is stopped at once says what it would have run.
+    for options, has_commands in (([], False), (["--all"], True)):
+        run = subprocess.Popen([program, "--json", json_path, *options], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        time.sleep(1)
+        run.send_signal(signal.SIGINT)
+        text = run.communicate(timeout=120)[0].decode()
+        report = json.load(open(json_path, encoding="utf-8"))
+        names = {test["test"] for test in report["tests"]}
+        commands = {name for name in names if name.startswith(("RenderCommand.", "Program.", "SolveCommand."))}
+        left_out = report["totals"]["tests_left_out"]
+        good = bool(commands) == has_commands and len(names) > 600
+        good = good and (left_out == 0) == has_commands and (f"; {left_out} of commands left out (--all)" in text) != has_commands
+        print(("ok    " if good else "WRONG ") + f"tests of commands {'run' if has_commands else 'are left out'} {options}")
+        if not good:
+            complaints.append(f"{options}: {len(names)} tests, {len(commands)} of commands, {left_out} left out\n{text[-400:]}")
     new = os.path.join(folder, "new")
     demand("so they are where the file is not there yet", ["--junit", new, "--json", os.path.join(folder, "link", "new")],
            2, "--json and --junit name the same file")

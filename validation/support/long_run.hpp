@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
@@ -12,6 +13,12 @@ inline std::uint64_t long_run(std::uint64_t cases) {
   const char* factor = std::getenv("ETENDUE_LONG_RUN");
   const std::uint64_t times = factor == nullptr ? 1 : std::strtoull(factor, nullptr, 10);
   return cases * (times == 0 ? 1 : times);
+}
+
+/// Of a table whose rows are costly, every `step`-th one; all of them in a run `step` times as long.
+inline std::size_t every(std::size_t step) {
+  const std::uint64_t times = long_run(1);
+  return times >= step ? 1 : step / static_cast<std::size_t>(times);
 }
 
 /// What --long means, where the environment does not say another number.

@@ -255,7 +255,7 @@ class Search {
     if (best_ && span.low.z() > best_->t + error_) return;
     if (lie_of(net, error_) != Lie::across) return;
     const double size = (span.high - span.low).norm();
-    if (size <= smallest) {
+    if (!(size > smallest)) {  // also where numbers beyond the domain have left none
       keep({piece.u + piece.u_size / 2, piece.v + piece.v_size / 2, 0.5 * (span.low.z() + span.high.z()), size});
       return;
     }

@@ -71,8 +71,8 @@ std::vector<SeenPair> ExactExchange::factors(std::span<const SurfacePair> pairs,
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     SightLine line = sights_.between(pairs[k].i, pairs[k].j, approach);
     seen[k].sight = line.sight;
-    if (line.sight == Sight::clear) tile.clear.push_back(k);
-    if (line.sight != Sight::undecided) continue;
+    if (line.sight == PairSight::clear) tile.clear.push_back(k);
+    if (line.sight != PairSight::undecided) continue;
     tile.obstructed.push_back(k);
     tile.lines.push_back(std::move(line));
   }
@@ -129,17 +129,17 @@ void ExactExchange::find(std::span<const SurfacePair> pairs, std::span<Bounded> 
     const PairFactor& found = seen[k].found;
     exchanges[k] = {0, 0};
     switch (seen[k].sight) {
-      case Sight::averted:
+      case PairSight::averted:
         ++report.averted;
         continue;
-      case Sight::blocked:
+      case PairSight::blocked:
         ++report.blocked;
         continue;
-      case Sight::clear:
+      case PairSight::clear:
         ++report.clear;
         exchanges[k] = held(exchange(found.factor, area), whole, report);
         break;
-      case Sight::undecided: {
+      case PairSight::undecided: {
         ++report.obstructed;
         const Bounded free = exchange(found.free, area);
         const std::uint64_t before = report.clamped;

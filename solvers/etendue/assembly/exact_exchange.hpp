@@ -17,7 +17,7 @@ inline constexpr std::size_t kCheckedClearPairs = 16;
 
 /// A pair of elements and F_ij; zero where they are averted or blocked.
 struct SeenPair {
-  Sight sight = Sight::averted;
+  PairSight sight = PairSight::averted;
   PairFactor found;
 };
 

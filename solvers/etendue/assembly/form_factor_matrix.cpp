@@ -30,18 +30,18 @@ void join(MissedTolerance& sum, const MissedTolerance& more) {
   sum.pairs = pairs;
 }
 
-void count(Sight sight, PairCounts& counts) {
+void count(PairSight sight, PairCounts& counts) {
   switch (sight) {
-    case Sight::averted:
+    case PairSight::averted:
       ++counts.averted;
       break;
-    case Sight::clear:
+    case PairSight::clear:
       ++counts.clear;
       break;
-    case Sight::blocked:
+    case PairSight::blocked:
       ++counts.blocked;
       break;
-    case Sight::undecided:
+    case PairSight::undecided:
       ++counts.obstructed;
       break;
   }

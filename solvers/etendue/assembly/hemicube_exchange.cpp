@@ -220,10 +220,10 @@ void HemicubeExchange::find(std::span<const SurfacePair> pairs, std::span<Bounde
                             TileReport& report) const {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [i, j] = pairs[k];
-    const Sight sight = sight_.between(i, j).sight;
+    const PairSight sight = sight_.between(i, j).sight;
     exchanges[k] = {0, 0};
-    if (sight == Sight::averted || sight == Sight::blocked) {
-      ++(sight == Sight::averted ? report.averted : report.blocked);
+    if (sight == PairSight::averted || sight == PairSight::blocked) {
+      ++(sight == PairSight::averted ? report.averted : report.blocked);
       continue;
     }
     const double forth = seen_exchange(i, j), back = seen_exchange(j, i);
@@ -231,7 +231,7 @@ void HemicubeExchange::find(std::span<const SurfacePair> pairs, std::span<Bounde
     const double value = share * forth + (1 - share) * back;
     const Bounded factor = form_factor(mesh_.elements[i].polygon, mesh_.elements[j].polygon, kJudge);
     const Bounded free{areas_[i] * factor.value, areas_[i] * factor.bound};
-    if (sight == Sight::clear) {
+    if (sight == PairSight::clear) {
       exchanges[k] = {value, std::abs(value - free.value) + free.bound};
       ++report.clear;
     } else {

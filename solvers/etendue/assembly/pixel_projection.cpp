@@ -14,9 +14,9 @@ namespace {
 
 std::vector<PixelView> hemicube_views(const Vec3& eye, const Vec3& u, const Vec3& v, const Vec3& normal, int n) {
   const double pixel = 2.0 / n;
-  std::vector<PixelView> views{{eye, u, v, normal, n, n, -1, -1, pixel, PixelWindow::rectangle}};
+  std::vector<PixelView> views{{eye, u, v, normal, n, n, -1, -1, pixel, ViewOutline::rectangle}};
   for (const Vec3& gaze : {u, v, Vec3(-u), Vec3(-v)}) {
-    views.push_back({eye, normal.cross(gaze), normal, gaze, n, n / 2, -1, 0, pixel, PixelWindow::rectangle});
+    views.push_back({eye, normal.cross(gaze), normal, gaze, n, n / 2, -1, 0, pixel, ViewOutline::rectangle});
   }
   return views;
 }
@@ -30,7 +30,7 @@ std::vector<PixelView> corner_views(const Vec3& eye, const Vec3& u, const Vec3& 
   std::vector<PixelView> views;
   for (std::size_t k = 0; k < 3; ++k) {
     views.push_back(
-        {eye, axes[(k + 1) % 3], axes[(k + 2) % 3], axes[k], n, n, -2, -2, 3.0 / n, PixelWindow::upper_triangle});
+        {eye, axes[(k + 1) % 3], axes[(k + 2) % 3], axes[k], n, n, -2, -2, 3.0 / n, ViewOutline::upper_triangle});
   }
   return views;
 }

@@ -231,27 +231,27 @@ SightLine SightMap::between(std::size_t first, std::size_t second, Approach& app
 SightLine SightMap::look(std::size_t first, std::size_t second, std::span<const std::size_t> bodies) const {
   const Polygon &from = mesh_.elements[first].polygon, &to = mesh_.elements[second].polygon;
   if (greatest_height(from, to.vertices()) <= slack_ || greatest_height(to, from.vertices()) <= slack_) {
-    return {Sight::averted, {}, {}};
+    return {PairSight::averted, {}, {}};
   }
   const Pair pair(from, elements_[first], to, elements_[second]);
-  SightLine line{Sight::clear, {}, {}};
+  SightLine line{PairSight::clear, {}, {}};
   for (const std::size_t index : bodies) {
     const Body& body = bodies_[index];
     if (!stands_between(body, pair)) continue;
-    if (hides_all(body, pair)) return {Sight::blocked, {}, {}};
+    if (hides_all(body, pair)) return {PairSight::blocked, {}, {}};
     bool any = false;
     for (const std::size_t face : body.faces) {
       if (face == mesh_.elements[first].face || face == mesh_.elements[second].face || !splits(face, pair)) continue;
-      if (hides_all(face, pair)) return {Sight::blocked, {}, {}};
+      if (hides_all(face, pair)) return {PairSight::blocked, {}, {}};
       any = true;
       line.blockers.push_back(face);
     }
     if (!any) {
       // Lines that pass through it do not enter it: both lie inside, as those of floor and ceiling do under a pillar.
-      if (pierces(body, pair)) return {Sight::blocked, {}, {}};
+      if (pierces(body, pair)) return {PairSight::blocked, {}, {}};
       continue;
     }
-    line.sight = Sight::undecided;
+    line.sight = PairSight::undecided;
     line.bodies.push_back(&blockers_[body.blocker]);
   }
   return line;

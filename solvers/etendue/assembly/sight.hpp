@@ -11,7 +11,7 @@
 namespace etendue {
 
 /// What may come between two elements.
-enum class Sight {
+enum class PairSight {
   averted,    ///< no point of one lies before the other's plane: the form factor is zero
   clear,      ///< no face reaches into the space between them
   blocked,    ///< one face or solid hides all of one from all of the other: the form factor is zero
@@ -19,7 +19,7 @@ enum class Sight {
 };
 
 struct SightLine {
-  Sight sight = Sight::averted;
+  PairSight sight = PairSight::averted;
   std::vector<std::size_t> blockers;  ///< indices into ElementMesh::faces; empty unless undecided
   std::vector<const Blocker*>
       bodies;  ///< the same as solids, where an object or several close one, else as plates; they

@@ -14,28 +14,28 @@ namespace etendue {
 namespace {
 
 /// Phong exponents beyond tell nothing from a mirror; refractive indices beyond occur in no glass.
-constexpr Interval kExponent{1, 1e6};
-constexpr Interval kRefractiveIndex{0.1, 10};
-constexpr Interval kPower{1, 1000};  // beyond, the rim is thinner than any pixel
-constexpr Interval kFrost{0, kMostFrost};
+constexpr ValueRange kExponent{1, 1e6};
+constexpr ValueRange kRefractiveIndex{0.1, 10};
+constexpr ValueRange kPower{1, 1000};  // beyond, the rim is thinner than any pixel
+constexpr ValueRange kFrost{0, kMostFrost};
 /// ρ = 1 makes the radiosity equation of a closed room singular.
-constexpr Interval kReflectance{0, 1, false, true};
+constexpr ValueRange kReflectance{0, 1, false, true};
 
-double number(const SceneNode& node, const char* key, const Interval& interval, double otherwise) {
+double number(const SceneNode& node, const char* key, const ValueRange& interval, double otherwise) {
   const auto member = node.member(key);
   return member ? member->number(interval).value_or(otherwise) : otherwise;
 }
 
-Rgb colour(const SceneNode& node, const char* key, const Interval& interval, const Rgb& otherwise) {
+Rgb colour(const SceneNode& node, const char* key, const ValueRange& interval, const Rgb& otherwise) {
   const auto member = node.member(key);
   return member ? member->colour(interval).value_or(otherwise) : otherwise;
 }
 
 /// Coefficients of Cauchy's formula, in micrometres: beyond them no medium disperses.
-constexpr Interval kCauchy{-10, 10};
+constexpr ValueRange kCauchy{-10, 10};
 /// Strengths of resonances, and squares of their wavelengths in micrometres.
-constexpr Interval kStrength{-100, 100};
-constexpr Interval kResonance{0, 1e6};
+constexpr ValueRange kStrength{-100, 100};
+constexpr ValueRange kResonance{0, 1e6};
 constexpr int kMostPriority = 1000;
 
 std::optional<Sellmeier> read_sellmeier(const SceneNode& node) {
@@ -114,7 +114,7 @@ Vec3 unit(const SceneNode& node, const char* key, const Vec3& otherwise) {
 /// Across: two edges of a square must not lie along one line. The sine that directions of a few digits leave.
 constexpr double kLeastSine = 1e-6;
 
-constexpr Interval kTurbulence{0, 1e3};
+constexpr ValueRange kTurbulence{0, 1e3};
 
 int octaves(const SceneNode& node) {
   const auto member = node.member("octaves");

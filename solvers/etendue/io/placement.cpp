@@ -33,7 +33,7 @@ SineCosine sine_cosine(double angle_deg) {
 }
 
 /// A scale outside is a slip; inside, chains of them stay far from overflow.
-constexpr Interval kScale{1e-9, 1e9};
+constexpr ValueRange kScale{1e-9, 1e9};
 
 constexpr std::size_t kAnyCount = std::numeric_limits<std::size_t>::max();
 

@@ -23,7 +23,7 @@ std::string quoted(const std::vector<std::string>& words) {
 }
 
 /// The numbers that all these are, if they are three; what is no such number is reported.
-std::optional<Vec3> three(const std::vector<SceneNode>& parts, const Interval& interval) {
+std::optional<Vec3> three(const std::vector<SceneNode>& parts, const ValueRange& interval) {
   std::vector<double> numbers;
   for (const SceneNode& part : parts) {
     if (const auto number = part.number(interval)) numbers.push_back(*number);
@@ -76,11 +76,11 @@ std::vector<std::string> SceneErrors::warnings() const {
   return in_order(warnings_);
 }
 
-bool Interval::contains(double value) const {
+bool ValueRange::contains(double value) const {
   return (open_low ? value > low : value >= low) && (open_high ? value < high : value <= high);
 }
 
-std::string Interval::text() const {
+std::string ValueRange::text() const {
   return (open_low ? "(" : "[") + rounded(low, 6) + ", " + rounded(high, 6) + (open_high ? ")" : "]");
 }
 
@@ -174,7 +174,7 @@ std::vector<SceneNode> SceneNode::children() const {
   return nodes;
 }
 
-std::optional<double> SceneNode::number(const Interval& interval) const {
+std::optional<double> SceneNode::number(const ValueRange& interval) const {
   const bool is_number = json_->kind == JsonValue::Kind::number;
   if (is_number && interval.contains(json_->number)) return json_->number;
   expected("a number in " + interval.text() +
@@ -220,7 +220,7 @@ std::optional<std::string> SceneNode::kind(const std::vector<std::string>& kinds
   return type->json().kind == JsonValue::Kind::string ? nearest(type->json().text, kinds) : std::nullopt;
 }
 
-std::optional<Vec3> SceneNode::vector(const Interval& interval) const {
+std::optional<Vec3> SceneNode::vector(const ValueRange& interval) const {
   return three(items(3, 3, "numbers"), interval);
 }
 
@@ -234,7 +234,7 @@ std::optional<Vec3> SceneNode::direction() const {
   return value->stableNormalized();
 }
 
-std::optional<Rgb> SceneNode::colour(const Interval& interval) const {
+std::optional<Rgb> SceneNode::colour(const ValueRange& interval) const {
   if (json_->kind == JsonValue::Kind::number) {
     const auto value = number(interval);
     return value ? std::optional<Rgb>(Rgb::Constant(*value)) : std::nullopt;

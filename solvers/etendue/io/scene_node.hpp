@@ -44,7 +44,7 @@ class SceneErrors {
 };
 
 /// The numbers that a key allows; ends belong to it unless open.
-struct Interval {
+struct ValueRange {
   double low;
   double high;
   bool open_low = false;
@@ -53,10 +53,10 @@ struct Interval {
   bool contains(double value) const;
   std::string text() const;  ///< "[0, 1)"
 };
-inline constexpr Interval kFraction{0, 1};
-inline constexpr Interval kNonNegative{0, kLargestNumber};
-inline constexpr Interval kPositive{0, kLargestNumber, true};
-inline constexpr Interval kAnyNumber{-kLargestNumber, kLargestNumber};
+inline constexpr ValueRange kFraction{0, 1};
+inline constexpr ValueRange kNonNegative{0, kLargestNumber};
+inline constexpr ValueRange kPositive{0, kLargestNumber, true};
+inline constexpr ValueRange kAnyNumber{-kLargestNumber, kLargestNumber};
 
 /// A value in a scene file, with its place. Each reading function either returns what it was asked for, or reports what
 /// was found and what is expected, and returns nothing.
@@ -95,7 +95,7 @@ class SceneNode {
   /// Items of an array that should have `fewest` to `most` of `what` ("vertices"). Of an array that has more or fewer,
   /// which is reported, all the same, to find what is wrong with them too; of anything else none.
   [[nodiscard]] std::vector<SceneNode> items(std::size_t fewest, std::size_t most, const std::string& what) const;
-  [[nodiscard]] std::optional<double> number(const Interval& interval) const;
+  [[nodiscard]] std::optional<double> number(const ValueRange& interval) const;
   [[nodiscard]] std::optional<long> integer(long low, long high) const;
   [[nodiscard]] std::optional<std::string> text() const;
   [[nodiscard]] std::optional<bool> truth() const;  ///< true or false
@@ -104,9 +104,9 @@ class SceneNode {
   /// What "type" says, of an object that should be one of these kinds: a misspelt one is reported and guessed, so that
   /// the other errors of the object can be found too. A missing one is left to is().
   [[nodiscard]] std::optional<std::string> kind(const std::vector<std::string>& kinds) const;
-  [[nodiscard]] std::optional<Vec3> vector(const Interval& interval = kAnyNumber) const;
-  [[nodiscard]] std::optional<Vec3> direction() const;                      ///< unit vector of a vector other than zero
-  [[nodiscard]] std::optional<Rgb> colour(const Interval& interval) const;  ///< one number, or three
+  [[nodiscard]] std::optional<Vec3> vector(const ValueRange& interval = kAnyNumber) const;
+  [[nodiscard]] std::optional<Vec3> direction() const;  ///< unit vector of a vector other than zero
+  [[nodiscard]] std::optional<Rgb> colour(const ValueRange& interval) const;  ///< one number, or three
 
  private:
   SceneNode at(const JsonValue& json, std::string pointer) const;

@@ -54,7 +54,7 @@ void complain_out_of_range(const SceneNode& node) {
       "found a transform that moves the shape out of range, expected coordinates within ±1e+50 and lengths > 0");
 }
 
-std::optional<Vec3> vector_of(const SceneNode& node, const char* key, const Interval& interval) {
+std::optional<Vec3> vector_of(const SceneNode& node, const char* key, const ValueRange& interval) {
   const auto member = node.member(key);
   return member ? member->vector(interval) : std::nullopt;
 }
@@ -62,7 +62,7 @@ std::optional<Vec3> direction_of(const SceneNode& node, const char* key) {
   const auto member = node.member(key);
   return member ? member->direction() : std::nullopt;
 }
-std::optional<double> length_of(const SceneNode& node, const char* key, const Interval& interval) {
+std::optional<double> length_of(const SceneNode& node, const char* key, const ValueRange& interval) {
   const auto member = node.member(key);
   return member ? member->number(interval) : std::nullopt;
 }

@@ -19,10 +19,10 @@ void complain_out_of_range(const SceneNode& node);
 
 /// Values of mandatory members; a missing one was reported by SceneNode::is().
 [[nodiscard]] std::optional<Vec3> vector_of(const SceneNode& node, const char* key,
-                                            const Interval& interval = kAnyNumber);
+                                            const ValueRange& interval = kAnyNumber);
 [[nodiscard]] std::optional<Vec3> direction_of(const SceneNode& node, const char* key);
 [[nodiscard]] std::optional<double> length_of(const SceneNode& node, const char* key,
-                                              const Interval& interval = kPositive);
+                                              const ValueRange& interval = kPositive);
 
 /// Is the scale the same along all axes? Reports where a round shape would become oval.
 [[nodiscard]] bool stays_round(const SceneNode& node, const std::string& type, const Placement& placement);

@@ -10,14 +10,14 @@ namespace etendue {
 namespace {
 
 constexpr std::size_t kMostPoints = 10000;
-constexpr Interval kWavelength{0, 1e6, true};  // [nm]: a millimetre is radio
+constexpr ValueRange kWavelength{0, 1e6, true};  // [nm]: a millimetre is radio
 /// Of black bodies [K]: below, next to nothing of what they send out is visible; above, its colour stays the same.
-constexpr Interval kTemperature{500, 1e6};
+constexpr ValueRange kTemperature{500, 1e6};
 
 using Points = std::vector<Spectrum::Point>;
 
 /// Those of the pairs that are sound.
-Points read_pairs(const SceneNode& node, const Interval& values) {
+Points read_pairs(const SceneNode& node, const ValueRange& values) {
   Points points;
   for (const SceneNode& pair : node.items(2, kMostPoints, "pairs of a wavelength [nm] and a value")) {
     const auto numbers = pair.items(2, 2, "numbers, a wavelength [nm] and a value");
@@ -33,7 +33,7 @@ Points read_pairs(const SceneNode& node, const Interval& values) {
   return points;
 }
 
-Points read_steps(const SceneNode& node, const Interval& values) {
+Points read_steps(const SceneNode& node, const ValueRange& values) {
   if (!node.is(keys_of("spectrum"))) return {};
   const auto from_node = node.member("from_nm"), step_node = node.member("step_nm"), list = node.member("values");
   const auto from = from_node ? from_node->number(kWavelength) : std::nullopt;
@@ -50,7 +50,7 @@ Points read_steps(const SceneNode& node, const Interval& values) {
 
 }  // namespace
 
-std::optional<Spectrum> read_spectrum(const SceneNode& node, const Interval& values) {
+std::optional<Spectrum> read_spectrum(const SceneNode& node, const ValueRange& values) {
   const auto kind = node.json().kind;
   if (kind != JsonValue::Kind::array && kind != JsonValue::Kind::object) {
     node.expected("pairs [wavelength in nm, value], or an object with \"from_nm\", \"step_nm\" and \"values\"");

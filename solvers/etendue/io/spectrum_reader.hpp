@@ -8,7 +8,7 @@ namespace etendue {
 
 /// A spectrum that covers the visible light: pairs of a wavelength and a value, or values at equal steps. What is wrong is
 /// reported: values outside the interval, fewer than two, wavelengths that do not ascend, or that leave out visible ones.
-[[nodiscard]] std::optional<Spectrum> read_spectrum(const SceneNode& node, const Interval& values);
+[[nodiscard]] std::optional<Spectrum> read_spectrum(const SceneNode& node, const ValueRange& values);
 
 /// "D65", "A", the temperature of a black body [K], or a spectrum some of which is visible.
 [[nodiscard]] std::optional<Illuminant> read_illuminant(const SceneNode& node);

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr long kMostSquares = 1L << 20;  // along an edge: finer than any picture
 constexpr long kLargestSeed = 1L << 53;  // up to there numbers of a file are whole
-constexpr Interval kTiles{-1e6, 1e6};
+constexpr ValueRange kTiles{-1e6, 1e6};
 /// Sine of the angle that two directions of a few digits leave.
 constexpr double kLeastSine = 1e-6;
 

@@ -107,7 +107,7 @@ PixelRange columns_of(const SeenPolygon& polygon, const PixelView& view, int row
   for (const EdgePlane& edge : polygon.edges) {
     // A sample is off the middle of its row by at most half a pixel.
     const double rest = edge.plane.y() * middle + edge.plane.z() + edge.margin +
-                        (view.window == PixelWindow::rectangle ? 0 : 0.5 * view.pixel * std::abs(edge.plane.y()));
+                        (view.window == ViewOutline::rectangle ? 0 : 0.5 * view.pixel * std::abs(edge.plane.y()));
     const double end = -rest / edge.plane.x();
     if (edge.plane.x() > 0) low = std::max(low, end);
     if (edge.plane.x() < 0) high = std::min(high, end);
@@ -120,11 +120,11 @@ PixelRange columns_of(const SeenPolygon& polygon, const PixelView& view, int row
 
 bool PixelView::has(int column, int row) const {
   return column >= 0 && row >= 0 && column < columns && row < rows &&
-         (window == PixelWindow::rectangle || column + row >= columns - 1);
+         (window == ViewOutline::rectangle || column + row >= columns - 1);
 }
 
 Vec2 PixelView::sample(int column, int row) const {
-  const double part = window == PixelWindow::upper_triangle && column + row == columns - 1 ? 2 * kThird : 0.5;
+  const double part = window == ViewOutline::upper_triangle && column + row == columns - 1 ? 2 * kThird : 0.5;
   return {left + (column + part) * pixel, bottom + (row + part) * pixel};
 }
 
@@ -169,7 +169,7 @@ void ItemBuffer::cover(std::span<const Vec3> corners, const Vec3& normal, const 
       if (inverse_depth > 0) body(column, row, inverse_depth);
     };
     int begin = columns.begin, end = columns.end;
-    if (view_.window == PixelWindow::rectangle) {
+    if (view_.window == ViewOutline::rectangle) {
       // Along a row each edge's sum rises or falls, rounded or not: what is inside lies together.
       while (begin < end && !inside(view_.sample(begin, row))) ++begin;
       while (begin < end && !inside(view_.sample(end - 1, row))) --end;

@@ -11,7 +11,7 @@
 namespace etendue {
 
 /// Which pixels of its rectangle a view has.
-enum class PixelWindow {
+enum class ViewOutline {
   rectangle,
   upper_triangle,  ///< those with column + row ≥ columns − 1; of the ones with equality the upper half, seen at its centroid
 };
@@ -22,7 +22,7 @@ struct PixelView {
   Vec3 across = Vec3::UnitX(), up = Vec3::UnitY(), gaze = Vec3::UnitZ();  ///< across × up = gaze
   int columns = 0, rows = 0;
   double left = -1, bottom = -1, pixel = 0;  ///< of the window, in units of its distance
-  PixelWindow window = PixelWindow::rectangle;
+  ViewOutline window = ViewOutline::rectangle;
 
   /// Where in the window pixel (column, row) looks: its centre, or the centroid of a half pixel.
   [[nodiscard]] Vec2 sample(int column, int row) const;

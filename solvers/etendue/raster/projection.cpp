@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kMargin = 1.5;  // what is drawn beyond the picture's edge, where cuts cannot be seen
 
-using Outline = std::vector<ViewCorner>;
+using Outline = std::vector<SeenCorner>;
 
 /// A side of what is kept: distance = normal · place + offset ≥ 0.
 struct Side {
   Vec3 normal;
   double offset;
-  double distance(const ViewCorner& corner) const { return normal.dot(corner.place) + offset; }
+  double distance(const SeenCorner& corner) const { return normal.dot(corner.place) + offset; }
 };
 
 // The part of a convex outline on the inner side. New corners are computed from the inner end of an
@@ -23,14 +23,14 @@ struct Side {
 Outline clipped(const Outline& outline, const Side& side) {
   Outline result;
   for (std::size_t k = 0; k < outline.size(); ++k) {
-    const ViewCorner& a = outline[k];
-    const ViewCorner& b = outline[(k + 1) % outline.size()];
+    const SeenCorner& a = outline[k];
+    const SeenCorner& b = outline[(k + 1) % outline.size()];
     const double at_a = side.distance(a), at_b = side.distance(b);
     if (at_a >= 0) result.push_back(a);
     if ((at_a >= 0) == (at_b >= 0)) continue;
-    const auto between = [](const ViewCorner& in, const ViewCorner& out, double at_in, double at_out) {
+    const auto between = [](const SeenCorner& in, const SeenCorner& out, double at_in, double at_out) {
       const double t = at_in / (at_in - at_out);
-      return ViewCorner{in.place + t * (out.place - in.place), in.value + t * (out.value - in.value)};
+      return SeenCorner{in.place + t * (out.place - in.place), in.value + t * (out.value - in.value)};
     };
     result.push_back(at_a >= 0 ? between(a, b, at_a, at_b) : between(b, a, at_b, at_a));
   }
@@ -42,12 +42,12 @@ Outline clipped(const Outline& outline, const Side& side) {
 Projection::Projection(const CameraFrame& frame, int columns, int rows, double near)
     : frame_(frame), columns_(columns), rows_(rows), near_(near) {}
 
-ViewCorner Projection::seen(const Vec3& point, const Eigen::Array3d& value) const {
+SeenCorner Projection::seen(const Vec3& point, const Eigen::Array3d& value) const {
   const Vec3 d = point - frame_.eye;
   return {{d.dot(frame_.right), d.dot(frame_.up), d.dot(frame_.forward)}, value};
 }
 
-void Projection::project(const std::array<ViewCorner, 3>& triangle,
+void Projection::project(const std::array<SeenCorner, 3>& triangle,
                          std::vector<std::array<GouraudVertex, 3>>& triangles) const {
   triangles.clear();
   const double h = kMargin * frame_.tan_horizontal, v = kMargin * frame_.tan_vertical;
@@ -56,7 +56,7 @@ void Projection::project(const std::array<ViewCorner, 3>& triangle,
   bool whole = true;
   for (const Side& side : sides) {
     int outside = 0;
-    for (const ViewCorner& corner : triangle) outside += !(side.distance(corner) >= 0);
+    for (const SeenCorner& corner : triangle) outside += !(side.distance(corner) >= 0);
     if (outside == 3) return;
     whole = whole && outside == 0;
   }
@@ -71,7 +71,7 @@ void Projection::project(const std::array<ViewCorner, 3>& triangle,
   }
 }
 
-GouraudVertex Projection::projected(const ViewCorner& corner) const {
+GouraudVertex Projection::projected(const SeenCorner& corner) const {
   const double x = (corner.place.x() / (corner.place.z() * frame_.tan_horizontal) + 1) / 2;
   const double y = (corner.place.y() / (corner.place.z() * frame_.tan_vertical) + 1) / 2;
   return {{x * columns_, (1 - y) * rows_}, 1 / corner.place.z(), corner.value};

@@ -10,7 +10,7 @@
 namespace etendue {
 
 /// A corner in the frame of the camera, and a value that is linear on the surface.
-struct ViewCorner {
+struct SeenCorner {
   Vec3 place;  ///< right, up, forward
   Eigen::Array3d value;
 };
@@ -24,12 +24,12 @@ class Projection {
  public:
   Projection(const CameraFrame& frame, int columns, int rows, double near);
 
-  [[nodiscard]] ViewCorner seen(const Vec3& point, const Eigen::Array3d& value) const;
+  [[nodiscard]] SeenCorner seen(const Vec3& point, const Eigen::Array3d& value) const;
   /// What is left of a triangle, as triangles: none, itself, or a fan. Into `triangles`, whose memory is used again.
-  void project(const std::array<ViewCorner, 3>& triangle, std::vector<std::array<GouraudVertex, 3>>& triangles) const;
+  void project(const std::array<SeenCorner, 3>& triangle, std::vector<std::array<GouraudVertex, 3>>& triangles) const;
 
  private:
-  GouraudVertex projected(const ViewCorner& corner) const;
+  GouraudVertex projected(const SeenCorner& corner) const;
 
   CameraFrame frame_;
   int columns_, rows_;

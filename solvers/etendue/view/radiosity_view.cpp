@@ -22,7 +22,7 @@ class Painter {
     if (polygon.normal().dot(frame_.eye - polygon.centroid()) <= 0) return;  // its back
     Rgb mean = Rgb::Zero();
     for (const Rgb& value : values) mean += value;
-    const ViewCorner centre = projection_.seen(polygon.centroid(), mean / static_cast<double>(values.size()));
+    const SeenCorner centre = projection_.seen(polygon.centroid(), mean / static_cast<double>(values.size()));
     const auto& vertices = polygon.vertices();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const std::size_t next = (k + 1) % vertices.size();

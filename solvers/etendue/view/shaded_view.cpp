@@ -9,6 +9,7 @@
 #include "etendue/raytracing/shading_normal.hpp"
 #include "etendue/reflectance/cosines.hpp"
 #include "etendue/text/utf8.hpp"
+#include "etendue/view/drawing.hpp"
 #include "etendue/view/facets.hpp"
 #include "etendue/view/mirrored_environment.hpp"
 #include "etendue/view/radiosity_view.hpp"
@@ -182,14 +183,14 @@ class Picture {
     }
   }
 
-  /// The picture's rows [first, last).
-  void draw(int first, int last, Image& image) const {
+  /// Adds to the picture's rows [first, last) what some of its samples show, `white` being the light's.
+  void draw(int first, int last, Which which, const Rgb& white, Image& image) const {
     const int n = options_.samples;
     const ScanWindow window{image.columns * n, first * n, last * n};
     static thread_local FacetRaster raster(window);  // bands are drawn one after the other: memory is asked for once
     raster.look(window);
     std::vector<LightCosines> cosines;
-    const Rgb share = scene_.white() / (n * n);
+    const Rgb share = white / (n * n);
     std::vector<Fragment> fragments;  // stays empty where nothing is transparent
     for (const bool clear : {false, true}) {
       for (const SeenFacet& seen : seen_) {
@@ -206,11 +207,12 @@ class Picture {
         for (int down = 0; down < n; ++down) {
           for (int across = 0; across < n; ++across) {
             const int x = column * n + across, y = row * n + down;
+            if (which != Which::all && is_spectral(raster, x, y, fragments) != (which == Which::spectral)) continue;
             const Rgb drawn = at(raster, x, y, cosines);
             sum += fragments.empty() ? drawn : through(fragments, raster.place(x, y), drawn, cosines);
           }
         }
-        image.at(column, row) = sum * share;
+        image.at(column, row) += sum * share;
       }
     }
   }
@@ -222,6 +224,21 @@ class Picture {
     bool clear;
   };
 
+  /// Does it show, or is it seen through, a surface that reflects by wavelength?
+  bool is_spectral(const FacetRaster& raster, int column, int row, const std::vector<Fragment>& fragments) const {
+    const std::uint32_t f = raster.facet(column, row);
+    if (f != kNoFacet && shader_.material(facets_[f]).reflectance) return true;
+    const std::size_t place = raster.place(column, row);
+    return std::any_of(first_at(fragments, place), fragments.end(), [&](const Fragment& fragment) {
+      return fragment.place == place && shader_.material(facets_[fragment.facet]).reflectance.has_value();
+    });
+  }
+
+  static std::vector<Fragment>::const_iterator first_at(const std::vector<Fragment>& fragments, std::size_t place) {
+    const auto is_before = [](const Fragment& fragment, std::size_t at) { return fragment.place < at; };
+    return std::lower_bound(fragments.begin(), fragments.end(), place, is_before);
+  }
+
   Rgb at(const FacetRaster& raster, int column, int row, std::vector<LightCosines>& cosines) const {
     const std::uint32_t f = raster.facet(column, row);
     return f == kNoFacet ? scene_.background : shown(f, raster.weights(column, row), cosines);
@@ -230,9 +247,7 @@ class Picture {
   /// What is seen through the fragments of a place, from the farthest to the nearest.               @eq IU.4.4a, IU.4.4b
   Rgb through(const std::vector<Fragment>& fragments, std::size_t place, Rgb behind,
               std::vector<LightCosines>& cosines) const {
-    const auto is_before = [](const Fragment& fragment, std::size_t at) { return fragment.place < at; };
-    for (auto next = std::lower_bound(fragments.begin(), fragments.end(), place, is_before);
-         next != fragments.end() && next->place == place; ++next) {
+    for (auto next = first_at(fragments, place); next != fragments.end() && next->place == place; ++next) {
       const Facet& facet = facets_[next->facet];
       const Vec3 point = mixed(next->weights, facet.corners);
       const Vec3 normal = options_.shading == Shading::flat ? facet.normal : normal_at(facet, next->weights);
@@ -300,6 +315,7 @@ std::string materials_with(const Scene& scene, const Condition& condition) {
 
 Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options, const Execution& execution) {
   require(options.samples >= 1, "view_shaded: at least one sample a pixel");
+  require(options.wavelengths >= 0, "view_shaded: no less than no wavelength");
   const Camera& camera = scene.camera;
   const auto frame = camera_frame(camera);
   if (!frame) return frame.error();
@@ -312,16 +328,24 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
   if (!facets) return facets.error();
   const Projection projection(*frame, camera.columns * options.samples, camera.rows * options.samples,
                               kNearPlane * length_to_see(scene, *facets));
-  Picture picture(scene, options, *facets);
-  picture.project(projection);
   ShadedView view{Image(camera.columns, camera.rows), facets->size()};
   const int rows = std::max(1, kBand / options.samples);
   const auto bands = static_cast<std::size_t>((camera.rows + rows - 1) / rows);
-  const auto draw = [&](std::size_t band) {
-    const int first = static_cast<int>(band) * rows;
-    picture.draw(first, std::min(first + rows, camera.rows), view.image);
-  };
-  if (!parallel_for(bands, execution, draw)) return Error{ErrorCode::stopped, "the picture was stopped"};
+  Scene coloured = scene;
+  const std::vector<Drawing> all = drawings(scene, options.wavelengths);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    colour_for(all[k].wavelength, scene, coloured.materials);
+    Picture picture(coloured, options, *facets);
+    picture.project(projection);
+    const auto draw = [&](std::size_t band) {
+      const int first = static_cast<int>(band) * rows;
+      picture.draw(first, std::min(first + rows, camera.rows), all[k].which, all[k].weight, view.image);
+    };
+    Execution part = execution;
+    if (execution.progress)
+      part.progress = [&](std::size_t done, std::size_t of) { execution.progress(k * of + done, all.size() * of); };
+    if (!parallel_for(bands, part, draw)) return Error{ErrorCode::stopped, "the picture was stopped"};
+  }
   return view;
 }
 

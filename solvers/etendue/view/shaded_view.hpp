@@ -23,7 +23,8 @@ struct ShadingOptions {
   Shading shading = Shading::phong;
   NormalWeight weight = NormalWeight::angle;  ///< the same however polygons are cut into triangles
   TessellationOptions net;
-  int samples = 2;  ///< samples × samples centres a pixel, averaged
+  int samples = 2;      ///< samples × samples centres a pixel, averaged
+  int wavelengths = 0;  ///< at which what has a reflectance is seen, as by see(); 0: in three channels
 };
 
 struct ShadedView {
@@ -32,7 +33,6 @@ struct ShadedView {
 };
 
 /// Memory that view_shaded() takes for a pixel, at most [bytes].
-
 inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
 
 /// A picture of the scene by rasteriser: every surface as triangles, nearest ones by depth buffer, the local model of
@@ -45,10 +45,13 @@ inline constexpr double kBytesAShadedPixel = 2 * sizeof(Eigen::Array3d);
 ///
 /// Patterns and textures have the colours of the pixel's own place, by u and v that are linear on the surface where they
 /// follow its parameters; flat and Gouraud's shading interpolate the light that these reflect.           @eq IU.4-1, IU.4.1.2
+///
+/// With `wavelengths` a sample that shows a surface with a reflectance, or through one, is Σ_i w_i I(λ_i), as see() has it; all
+/// others are what they are without, to the bit.                                                              @eq IU.2.9b
 /// Symbols   as for local_illumination(), which the ray tracer uses; a light with an area counts as its middle. Values are
 ///           interpolated on the surface, so perspective does not bend them. Where `shading` is phong bumps turn N, and
 ///           mirrored_environment() is added                                                   @eq IU.4.2.1, IU.4.1.3
-/// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1
+/// Domain    any camera that camera_frame() accepts; columns and rows times samples at most 2^16; samples ≥ 1; wavelengths ≥ 0
 /// Returns   the same bits for any number of threads; what left_out() says is not in it
 /// Errors    those of camera_frame() and tessellated(); a picture that is too large; ErrorCode::stopped, between bands of rows
 [[nodiscard]] Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options,
