@@ -26,4 +26,11 @@ double irradiance_of_intensity(double intensity, double distance) {
   return intensity / (distance * distance);
 }
 
+double arriving_share(const Falloff& falloff, double distance) {
+  if (falloff.law == Falloff::Law::none) return 1;
+  const double d = distance / falloff.unit;
+  if (falloff.law == Falloff::Law::linear) return linear_attenuation(d, falloff.d0);
+  return std::isnormal(d * d) ? irradiance_of_intensity(1, d) : 0;
+}
+
 }  // namespace etendue

@@ -33,4 +33,17 @@ namespace etendue {
 /// Accuracy  relative error of at most 2.1 u
 [[nodiscard]] double irradiance_of_intensity(double intensity, double distance);
 
+/// How the light of a point weakens with distance.
+struct Falloff {
+  enum class Law { none, linear, inverse_square };
+  Law law = Law::none;
+  double unit = 1;  ///< [length] that distances are counted in, > 0
+  double d0 = 0;    ///< of the linear law, in units
+};
+
+/// What of a light's I_p is left at a distance: 1, linear_attenuation() of d/unit, or (unit/d)².     @eq IU.2-5, IU.2.6a
+/// Domain    distance ≥ 0; unit > 0, d0 ≥ 0
+/// Returns   0 by the inverse square where (d/unit)² is no normal number: at the light itself, or nowhere near it
+[[nodiscard]] double arriving_share(const Falloff& falloff, double distance);
+
 }  // namespace etendue

@@ -16,6 +16,17 @@ LightCosines light_cosines(const Vec3& normal, const Vec3& to_light, const Vec3&
   return {incidence, 2 * incidence * normal.dot(to_viewer) - to_light.dot(to_viewer)};
 }
 
+LightCosines all_light_cosines(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer) {
+  LightCosines cosines = light_cosines(normal, to_light, to_viewer);
+  cosines.view = normal.dot(to_viewer);
+  const Vec3 sum = to_light + to_viewer;
+  const double length = sum.norm();
+  if (!(length > 0)) return cosines;
+  cosines.halfway = normal.dot(sum) / length;
+  cosines.tilt = to_viewer.dot(sum) / length;
+  return cosines;
+}
+
 Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen::Array3d& ambient_light,
                                      std::span<const LightCosines> cosines,
                                      std::span<const Eigen::Array3d> intensities) {
@@ -25,9 +36,14 @@ Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen
   Eigen::Array3d sum = ambient(surface.k_a, ambient_light);
   for (std::size_t i = 0; i < cosines.size(); ++i) {
     if (!(cosines[i].incidence > 0)) continue;
-    const double mirror = std::clamp(cosines[i].mirror, 0.0, 1.0);
-    const double directed = surface.k_s == 0 ? 0 : surface.k_s * std::pow(mirror, surface.exponent);
-    sum += intensities[i] * (surface.k_d * std::min(cosines[i].incidence, 1.0) + directed);
+    Eigen::Array3d directed = Eigen::Array3d::Zero();
+    if (surface.k_s != 0 && surface.highlight) {
+      directed = surface.k_s * directed_reflection(*surface.highlight, cosines[i]);
+    } else if (surface.k_s != 0) {
+      directed =
+          Eigen::Array3d::Constant(surface.k_s * std::pow(std::clamp(cosines[i].mirror, 0.0, 1.0), surface.exponent));
+    }
+    sum += cosines[i].share * intensities[i] * (surface.k_d * std::min(cosines[i].incidence, 1.0) + directed);
   }
   return sum;
 }

@@ -2,6 +2,7 @@
 #include "etendue/reflectance/local.hpp"
 
 #include "etendue/reflectance/ambient.hpp"
+#include "etendue/reflectance/cosines.hpp"
 #include "etendue/reflectance/lambert.hpp"
 #include "etendue/reflectance/phong.hpp"
 
@@ -12,8 +13,13 @@ Eigen::Array3d local_reflection(const LocalReflection& surface, const Vec3& norm
   Eigen::Array3d sum = ambient(surface.k_a, ambient_light);
   for (const IncidentLight& light : lights) {
     const Eigen::Array3d diffuse = surface.k_d * lambert(normal, light.to_light);
-    const double directed =
-        surface.k_s == 0 ? 0 : surface.k_s * phong(normal, light.to_light, to_viewer, surface.exponent);
+    Eigen::Array3d directed = Eigen::Array3d::Zero();
+    if (surface.k_s != 0 && surface.highlight) {
+      directed =
+          surface.k_s * directed_reflection(*surface.highlight, all_light_cosines(normal, light.to_light, to_viewer));
+    } else if (surface.k_s != 0) {
+      directed = Eigen::Array3d::Constant(surface.k_s * phong(normal, light.to_light, to_viewer, surface.exponent));
+    }
     sum += light.attenuation * light.intensity * (diffuse + directed);
   }
   return sum;

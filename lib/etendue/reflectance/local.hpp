@@ -5,6 +5,7 @@
 #include <span>
 
 #include "etendue/geometry/vector.hpp"
+#include "etendue/reflectance/highlight.hpp"
 
 namespace etendue {
 
@@ -14,6 +15,7 @@ struct LocalReflection {
   Eigen::Array3d k_d = Eigen::Array3d::Zero();  ///< diffuse: carries the surface's colour
   double k_s = 0;                               ///< directed: keeps the light's colour
   double exponent = 1;                          ///< n of phong()
+  const Highlight* highlight = nullptr;         ///< another law in place of phong()
 };
 
 /// Light of one source at the point that is shaded.
@@ -29,10 +31,11 @@ struct IncidentLight {
 ///
 /// Symbols   f_i = 1/(d_i + d0); R_i mirror direction of the i-th light (E3). k_d weighs the diffuse part only; in
 ///           front of the whole sum, as 5-2 prints it, a black but glossy surface would have no highlight (E2)
+///           Where surface.highlight is set, directed_reflection() stands in place of (R_i·V)ⁿ
 /// Domain    unit vectors (kUnitTolerance), normal on the viewed side
 /// Returns   red, green, blue; not limited above: clamp(), scale_image(), scale_pixel()
 /// Accuracy  of lambert() and phong(), weighed and summed
-/// Errors    ContractViolation outside the domain of lambert() or phong()
+/// Errors    ContractViolation outside the domain of lambert(), phong() or directed_reflection()
 [[nodiscard]] Eigen::Array3d local_reflection(const LocalReflection& surface, const Vec3& normal, const Vec3& to_viewer,
                                               const Eigen::Array3d& ambient_light,
                                               std::span<const IncidentLight> lights);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "etendue/io/bump_reader.hpp"
+#include "etendue/io/highlight_reader.hpp"
 #include "etendue/io/spectrum_reader.hpp"
 #include "etendue/optics/frost.hpp"
 #include "etendue/reflectance/noise.hpp"
@@ -170,6 +171,17 @@ int read_samples(const SceneNode& node) {
   return samples ? static_cast<int>(*samples) : RectangleLight{}.samples;
 }
 
+Falloff read_falloff(const SceneNode& node, double scale) {
+  const auto law = node.member("falloff"), d0 = node.member("d0");
+  const std::optional<std::string> name = law ? law->choice({"none", "linear", "inverse-square"}) : "none";
+  Falloff falloff{Falloff::Law::none, scale, d0 ? d0->number(kNonNegative).value_or(0) : 0};
+  if (name == "linear") falloff.law = Falloff::Law::linear;
+  if (name == "inverse-square") falloff.law = Falloff::Law::inverse_square;
+  if (d0 && name && *name != "linear")
+    d0->complain("found \"d0\" with the falloff \"" + *name + "\", expected it with \"linear\"");
+  return falloff;
+}
+
 std::optional<Light> read_rectangle_light(const SceneNode& node, const Placement& placement, const Rgb& intensity) {
   const auto vector = [&](const char* key) {
     const auto member = node.member(key);
@@ -228,6 +240,7 @@ Material read_material(const SceneNode& node, const std::string& name, double sc
   read_reflectance(node, material);
   material.k_s = number(node, "k_s", kFraction, 0);
   material.phong_exponent = number(node, "n", kExponent, 1);
+  if (const auto law = node.member("highlight")) material.highlight = read_highlight(*law, material.phong_exponent);
   material.k_r = number(node, "k_r", kFraction, 0);
   material.k_t = number(node, "k_t", kFraction, 0);
   read_inside(node, scale, material);
@@ -257,8 +270,9 @@ std::optional<Light> read_light(const SceneNode& node, const Placement& placemen
   const auto position_node = node.member("position"), direction_node = node.member("direction");
   const auto position = position_node && type != "directional" ? position_node->vector() : std::nullopt;
   const auto direction = direction_node && type != "point" ? direction_node->direction() : std::nullopt;
+  const Falloff falloff = type == "directional" ? Falloff{} : read_falloff(node, placement.scale);
   if (!type || !intensity) return std::nullopt;
-  if (position) return Light(PointLight{placement.point(*position), *intensity});
+  if (position) return Light(PointLight{placement.point(*position), *intensity, falloff});
   if (direction) return Light(DirectionalLight{*direction, *intensity});
   return std::nullopt;
 }

@@ -38,9 +38,12 @@ const std::vector<KeySet>& scene_key_sets() {
       {"camera",
        {"eye", "up", "horizontal_fov_deg", "resolution"},
        {"comment", "look_at", "gaze", "lens_radius", "focal_distance", "shutter"}},
-      {"material", {}, {"comment", "k_d",      "k_a",     "reflectance", "k_s",         "n",          "k_r",
-                        "k_t",     "eta",      "fresnel", "dispersion",  "absorption",  "priority",   "frost",
-                        "rho",     "emission", "pattern", "bump",        "environment", "see_through"}},
+      {"material", {}, {"comment", "k_d",      "k_a",     "reflectance", "k_s",         "n",           "k_r",
+                        "k_t",     "eta",      "fresnel", "dispersion",  "absorption",  "priority",    "frost",
+                        "rho",     "emission", "pattern", "bump",        "environment", "see_through", "highlight"}},
+      {"phong_highlight", {"type"}, {"comment"}},
+      {"blinn_highlight", {"type"}, {"comment"}},
+      {"facets_highlight", {"type", "roughness"}, {"comment", "distribution", "shadowing", "eta", "k"}},
       {"spectrum", {"from_nm", "step_nm", "values"}, {"comment"}},
       {"see_through", {"greatest"}, {"comment", "least", "power"}},
       {"cauchy", {"a"}, {"comment", "b", "c"}},
@@ -61,7 +64,7 @@ const std::vector<KeySet>& scene_key_sets() {
       {"waves_bump", {"type", "height", "waves"}, {"comment", "origin", "u", "v", "size"}},
       {"table_bump", {"type", "heights"}, {"comment", "height", "repeat", "edges", "origin", "u", "v", "size"}},
       {"rough_bump", {"type", "height", "cells"}, {"comment", "seed", "origin", "u", "v", "size"}},
-      {"point_light", {"type", "position", "intensity"}, {"comment"}},
+      {"point_light", {"type", "position", "intensity"}, {"comment", "falloff", "d0"}},
       {"directional_light", {"type", "direction", "intensity"}, {"comment"}},
       {"rectangle_light", {"type", "corner", "u", "v", "intensity"}, {"comment", "samples"}},
       {"sphere_light", {"type", "centre", "radius", "intensity"}, {"comment", "samples"}},
@@ -122,6 +125,11 @@ const Keys& mapping_types() {
 
 const Keys& bump_types() {
   static const Keys types{"waves", "table", "rough"};
+  return types;
+}
+
+const Keys& highlight_types() {
+  static const Keys types{"phong", "blinn", "facets"};
   return types;
 }
 

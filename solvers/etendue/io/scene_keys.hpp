@@ -25,11 +25,12 @@ const KeySet& keys_of(const std::string& name);
 /// What an object may have that is one of these kinds, but which is not known: all their keys, "type" alone mandatory.
 KeySet keys_of_any(const std::vector<std::string>& names);
 
-/// The values of "type" of objects, of lights, of patterns, of their mappings and of bumps.
+/// The values of "type" of objects, of lights, of patterns, of their mappings, of bumps and of highlights.
 const std::vector<std::string>& object_types();
 const std::vector<std::string>& light_types();
 const std::vector<std::string>& pattern_types();
 const std::vector<std::string>& mapping_types();
 const std::vector<std::string>& bump_types();
+const std::vector<std::string>& highlight_types();
 
 }  // namespace etendue

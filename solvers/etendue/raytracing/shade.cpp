@@ -42,6 +42,11 @@ LightSample towards(const Light& light, const Vec3& point) {
   return {way / ((way / largest).norm() * largest), distance};
 }
 
+double arriving_share(const Light& light, double distance) {
+  const auto* point = std::get_if<PointLight>(&light);
+  return point == nullptr ? 1 : arriving_share(point->falloff, distance);
+}
+
 namespace {
 
 Ray shadow_ray_into(const Vec3& to_light, const Hit& hit, const Light& light, AcneCure cure) {
@@ -96,7 +101,8 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
     towards_light.time = node.ray.time;
     const Passage way = passage(towards_light, {met.object, node.media, wavelength}, accelerator, shadows);
     result.tests += way.tests;
-    if ((way.share > 0).any()) arriving.push_back({sample.to_light, intensity(light) * way.share, 1});
+    if ((way.share > 0).any())
+      arriving.push_back({sample.to_light, intensity(light) * way.share, arriving_share(light, sample.distance)});
   };
   for (std::size_t i = 0; i < scene.lights.size() && returns_light; ++i) {
     const Light& light = scene.lights[i];
@@ -106,7 +112,8 @@ Shaded local_illumination(const RayNode& node, const Accelerator& accelerator, c
     }
     for (int part = 0; part < shadow_rays(light); ++part) look_for(light_part(light, part, key.part(i)));
   }
-  const LocalReflection surface{colour.k_a, colour.k_d, material.k_s, material.phong_exponent};
+  const LocalReflection surface{colour.k_a, colour.k_d, material.k_s, material.phong_exponent,
+                                material.highlight ? &*material.highlight : nullptr};
   const Vec3 shaded = material.bump ? bumped(met, node.ray, normal, scene) : normal;
   result.colour = local_reflection(surface, shaded, to_viewer, scene.ambient, arriving) + material.emission;
   return result;

@@ -16,6 +16,8 @@ struct LightSample {
   double distance;  ///< infinity for a directional light
 };
 [[nodiscard]] LightSample towards(const Light& light, const Vec3& point);
+/// What of its intensity arrives at that distance; of lights other than points, all.    @eq IU.2-5, IU.2.6a
+[[nodiscard]] double arriving_share(const Light& light, double distance);
 
 /// The shadow ray of a hit and a light.                                                     @eq IU.5.4a, IU.5.4b, RT.14
 ///

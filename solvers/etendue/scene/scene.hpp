@@ -22,7 +22,9 @@
 #include "etendue/geometry/triangle.hpp"
 #include "etendue/optics/dispersion.hpp"
 #include "etendue/optics/spectrum.hpp"
+#include "etendue/reflectance/attenuation.hpp"
 #include "etendue/reflectance/cube_map.hpp"
+#include "etendue/reflectance/highlight.hpp"
 #include "etendue/reflectance/pattern.hpp"
 #include "etendue/reflectance/transparency.hpp"
 #include "etendue/scene/material_bump.hpp"
@@ -36,11 +38,9 @@ using Rgb = Eigen::Array3d;
 /// The viewing system of IU.5.2, as read: directions need not be unit vectors, `up` need not be orthogonal to `gaze`.
 struct Camera {
   Vec3 eye = Vec3::Zero();
-  Vec3 gaze = Vec3::UnitY();
-  Vec3 up = Vec3::UnitZ();
+  Vec3 gaze = Vec3::UnitY(), up = Vec3::UnitZ();
   double horizontal_half_angle = 0.5;  ///< θ [rad], in (0, π/2); the vertical one follows from square pixels
-  int columns = 256;
-  int rows = 256;
+  int columns = 256, rows = 256;
   double lens_radius = 0;     ///< of a thin lens at the eye [length]; 0: a pinhole, everything is sharp
   double focal_distance = 1;  ///< along the gaze, of the plane that is sharp [length]
   double shutter = 0;         ///< how long the picture is exposed, from time 0 on [time]
@@ -55,12 +55,12 @@ struct MaterialPattern {
 /// Everything either solver wants to know of a surface. Coefficients are fractions in [0, 1].
 struct Material {
   std::string name;
-  Rgb k_d = Rgb::Zero();         ///< diffuse reflection, per channel
-  Rgb k_a = Rgb::Zero();         ///< reflection of the ambient light; the reader sets it to k_d unless it is given
-  double k_s = 0;                ///< local specular reflection (Phong), not coloured
-  double phong_exponent = 1;     ///< n
-  double k_r = 0;                ///< global specular reflection
-  double k_t = 0;                ///< global specular transmission
+  Rgb k_d = Rgb::Zero();      ///< diffuse reflection, per channel
+  Rgb k_a = Rgb::Zero();      ///< reflection of the ambient light; the reader sets it to k_d unless it is given
+  double k_s = 0;             ///< local specular reflection (Phong), not coloured
+  double phong_exponent = 1;  ///< n
+  std::optional<Highlight> highlight = std::nullopt;  ///< in place of Phong's; k_s weighs it
+  double k_r = 0, k_t = 0;                            ///< global specular reflection and transmission
   double eta = 1;                ///< refractive index of the inside; where there is dispersion, that for yellow (n_d)
   bool fresnel = false;          ///< k_r + k_t is divided by Fresnel's factor, whatever each of them is
   Rgb absorption = Rgb::Zero();  ///< σ of the inside, per channel [1/length]
@@ -81,6 +81,7 @@ struct Material {
 struct PointLight {
   Vec3 position;
   Rgb intensity;
+  Falloff falloff = {};
 };
 struct DirectionalLight {
   Vec3 direction;  ///< unit vector from the scene towards the light
@@ -106,8 +107,7 @@ using Shape = std::variant<Sphere, Polygon, Triangle, Plane, Disc, Cylinder, Box
 /// How a shape is divided for radiosity. A quadrilateral has elements[0] × elements[1] elements along its first and its
 /// second edge, of which patches[0] × patches[1] patches are groups; patches divide elements.
 struct Subdivision {
-  int elements[2] = {1, 1};
-  int patches[2] = {1, 1};
+  int elements[2] = {1, 1}, patches[2] = {1, 1};
   double element_size = 0;  ///< where above 0: no side of an element is longer [length], whatever `elements` says
   double grading = 0;       ///< in [0, 1]: how much denser the elements lie towards the edges (division_line())
 };

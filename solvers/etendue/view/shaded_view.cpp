@@ -55,15 +55,15 @@ class Shader {
   /// What is known of a facet before its pixels are.
   void prepare(const Facet& facet, std::vector<Interpolated>& colours, std::vector<LightCosines>& cosines) const {
     if (shading_ == Shading::flat) {
-      see(facet.centre(), facet.normal, cosines);
+      see(facet, facet.centre(), facet.normal, cosines);
       colours.push_back(light(facet, cosines));
     }
     for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k) {
-      see(facet.corners[k], facet.normals[k], cosines);
+      see(facet, facet.corners[k], facet.normals[k], cosines);
       colours.push_back(light(facet, cosines));
     }
     if (shading_ != Shading::dot) return cosines.clear();
-    for (std::size_t k = 0; k < 3; ++k) append(facet.corners[k], facet.normals[k], cosines);
+    for (std::size_t k = 0; k < 3; ++k) append(facet, facet.corners[k], facet.normals[k], cosines);
   }
 
   /// What a point shows whose normal is known, with bumps and environment.
@@ -71,7 +71,7 @@ class Shader {
             std::vector<LightCosines>& cosines) const {
     const Material& of = material(facet);
     const Vec3 point = mixed(weights, facet.corners);
-    see(point, normal, cosines);
+    see(facet, point, normal, cosines);
     const Vec3 shaded = of.bump ? bumped(*of.bump, facet, point, normal, cosines) : normal;
     Rgb colour = reflected(facet, weights, point, cosines);
     if (of.environment) colour += mirrored_environment(of, -to_viewer(point), normal, shaded);
@@ -79,9 +79,9 @@ class Shader {
   }
 
   /// The scalar products of all lights at a point, into `cosines`.
-  void see(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
+  void see(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     cosines.clear();
-    append(point, normal, cosines);
+    append(facet, point, normal, cosines);
   }
 
   /// Those between the corners of a facet.
@@ -89,8 +89,12 @@ class Shader {
     cosines.clear();
     for (std::size_t i = 0; i < lights(); ++i) {
       const LightCosines &a = at_corners[i], &b = at_corners[lights() + i], &c = at_corners[2 * lights() + i];
-      cosines.push_back({weights[0] * a.incidence + weights[1] * b.incidence + weights[2] * c.incidence,
-                         weights[0] * a.mirror + weights[1] * b.mirror + weights[2] * c.mirror});
+      const auto between = [&](double LightCosines::*product) {
+        return weights[0] * a.*product + weights[1] * b.*product + weights[2] * c.*product;
+      };
+      cosines.push_back({between(&LightCosines::incidence), between(&LightCosines::mirror),
+                         between(&LightCosines::halfway), between(&LightCosines::tilt), between(&LightCosines::view),
+                         between(&LightCosines::share)});
     }
   }
 
@@ -98,7 +102,8 @@ class Shader {
                 const std::vector<LightCosines>& cosines) const {
     const Material& of = material(facet);
     const SurfaceColour colour = this->colour(facet, weights, point);
-    const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent};
+    const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent,
+                                  of.highlight ? &*of.highlight : nullptr};
     return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_) + of.emission;
   }
 
@@ -118,7 +123,7 @@ class Shader {
     const Vec3 rough = shading_normal(bump, scene_.objects[facet.object].shape, point, outward);
     const Vec3 seen = facet.turned ? Vec3(-rough) : rough;
     const std::size_t smooth = cosines.size();
-    append(point, seen, cosines);
+    append(facet, point, seen, cosines);
     for (std::size_t i = 0; i < smooth; ++i)
       cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
     cosines.resize(smooth);
@@ -128,7 +133,7 @@ class Shader {
   Interpolated light(const Facet& facet, const std::vector<LightCosines>& cosines) const {
     const Material& of = material(facet);
     const auto reflection = [&](const Rgb& k_a, const Rgb& k_d, double k_s) {
-      const LocalReflection surface{k_a, k_d, k_s, of.phong_exponent};
+      const LocalReflection surface{k_a, k_d, k_s, of.phong_exponent, of.highlight ? &*of.highlight : nullptr};
       return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_);
     };
     if (!has_pattern(facet)) return {reflection(of.k_a, of.k_d, of.k_s) + of.emission, Rgb::Zero()};
@@ -149,12 +154,16 @@ class Shader {
     return textured_colour(scene_, scene_.objects[facet.object], {point, facet.normal, direction, path}, place);
   }
 
-  void append(const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
+  void append(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     const Vec3 view = to_viewer(point);
+    const auto products = material(facet).highlight ? all_light_cosines : light_cosines;
     for (std::size_t i = 0; i < lights(); ++i) {
-      const Vec3 to_light = directions_[i] ? directions_[i]->direction : towards(scene_.lights[i], point).to_light;
+      const Light& light = scene_.lights[i];
+      const auto [to_light, distance] =
+          directions_[i] ? LightSample{directions_[i]->direction, 0} : towards(light, point);
       // A point that is the light itself has none of it: it would come from everywhere.
-      cosines.push_back(to_light.isZero(0) ? LightCosines{} : light_cosines(normal, to_light, view));
+      cosines.push_back(to_light.isZero(0) ? LightCosines{} : products(normal, to_light, view));
+      cosines.back().share = arriving_share(light, distance);
     }
   }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "etendue/reflectance/highlight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "etendue/core/contract.hpp"
+#include "etendue/optics/fresnel.hpp"
+
+namespace etendue {
+
+namespace {
+
+Eigen::Array3d directed(const BlinnHighlight& law, const LightCosines& cosines) {
+  require(std::isfinite(law.exponent) && law.exponent >= 1, "highlight: exponent is finite and at least one");
+  return Eigen::Array3d::Constant(std::pow(std::clamp(cosines.halfway, 0.0, 1.0), law.exponent));
+}
+
+Eigen::Array3d directed(const FacetHighlight& law, const LightCosines& cosines) {
+  const double n_l = std::min(cosines.incidence, 1.0), n_v = std::min(cosines.view, 1.0);
+  const double n_h = std::clamp(cosines.halfway, 0.0, 1.0), v_h = std::clamp(cosines.tilt, 0.0, 1.0);
+  const double sent = law.facets.distribution(n_h) * law.facets.shadowing(n_h, n_l, n_v, v_h) / (4 * n_v);
+  Eigen::Array3d result;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    result[c] = std::numbers::pi * sent * fresnel_conductor(v_h, law.eta[c], law.k[c]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::Array3d directed_reflection(const Highlight& law, const LightCosines& cosines) {
+  if (!(cosines.incidence > 0 && cosines.view > 0)) return Eigen::Array3d::Zero();
+  return std::visit([&](const auto& each) { return directed(each, cosines); }, law);
+}
+
+}  // namespace etendue
