@@ -23,6 +23,8 @@ TEST(HighlightReader, HoldsWhatTheFileSays) {
     return read(folder, scene_of(kBall, R"("include": ["b.json"], )")).materials[0].highlight;
   };
   EXPECT_TRUE(holds(!read_law(R"({"type": "phong"})").has_value()));
+  const auto coat = std::get<FresnelHighlight>(*read_law(R"({"type": "phong", "k": [1, 2, 3]})"));
+  EXPECT_TRUE(holds(coat.exponent == 12 && (coat.eta == 1.5).all() && coat.k[2] == 3));
   EXPECT_TRUE(holds(std::get<BlinnHighlight>(*read_law(R"({"type": "blinn"})")).exponent == 12));
   const auto usual = std::get<FacetHighlight>(*read_law(R"({"type": "facets", "roughness": 0.5})"));
   EXPECT_TRUE(holds((usual.eta == 1.5).all() && (usual.k == 0).all()));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <stdexcept>
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/reflectance/cosines.hpp"
@@ -82,6 +83,44 @@ TEST(Highlight, OfFacetsIsCookAndTorrances) {
       EXPECT_TRUE(near(again[c], sent[c], 4 * kUnitRoundoff * expected));
     }
   }
+}
+
+// CLAIM      IU.2.7.1, IU.4.2.2F: with Fresnel's factor for W(θ) local_reflection() and reflection_of_cosines() send k_s F(θ) (R·V)ⁿ of each
+//            channel; weighted_phong() the same for any weight, which it asks for cos θ, and not where nothing is mirrored.
+// ORACLE     closed form: F with a complex angle and the power, in long double.
+// TOLERANCE  phong_error(), and kFacetError for F.
+TEST(Highlight, OfPhongMayDependOnTheAngle) {
+  proves({"IU.2.7.1", "IU.4.2.2F"}, Oracle::closed_form, "2,000 directions, written out in long double");
+  CounterRandom random(6);
+  uses_seed(6);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 to_light = above(random), to_viewer = above(random);
+    FresnelHighlight coat{random.scale(1, 200)};
+    coat.eta = Eigen::Array3d(1.5, 0.9, random.scale(1.1, 4));
+    coat.k = Eigen::Array3d(0, 2.5, random.between(0, 5));
+    const Highlight law = coat;
+    const LocalReflection surface{Eigen::Array3d::Zero(), Eigen::Array3d::Zero(), 0.5, 1, &law};
+    const Eigen::Array3d dark = Eigen::Array3d::Zero(), one = Eigen::Array3d::Ones();
+    const auto sent =
+        local_reflection(surface, Vec3::UnitZ(), to_viewer, dark, std::array{IncidentLight{to_light, one, 1}});
+    const auto again = reflection_of_cosines(
+        surface, dark, std::array{all_light_cosines(Vec3::UnitZ(), to_light, to_viewer)}, std::array{one});
+    const Long3 l = to_light.cast<Long>(), v = to_viewer.cast<Long>();
+    const Long lobe = std::pow(std::max(Long(0), 2 * l.z() * v.z() - l.dot(v)), static_cast<Long>(coat.exponent));
+    for (int c = 0; c < 3; ++c) {
+      const Long f = fresnel(l.z(), {coat.eta[c], coat.k[c]});
+      const double expected = static_cast<double>(f * lobe / 2),
+                   bound = phong_error(coat.exponent) + kFacetError * expected;
+      EXPECT_TRUE(near(sent[c], expected, bound));
+      EXPECT_TRUE(near(again[c], expected, bound));
+      const auto weight = [&](double cosine) {
+        return static_cast<double>(fresnel(cosine, {coat.eta[c], coat.k[c]})) / 2;
+      };
+      EXPECT_TRUE(near(weighted_phong(Vec3::UnitZ(), to_light, to_viewer, coat.exponent, weight), expected, bound));
+    }
+  }
+  const auto asked = [](double) -> double { throw std::logic_error("asked"); };
+  EXPECT_TRUE(holds(weighted_phong(Vec3::UnitZ(), Vec3(0.6, 0, -0.8), Vec3::UnitZ(), 2, asked) == 0));
 }
 
 // CLAIM      IU.2.7.1: with Blinn's law local_reflection() sends k_s blinn(), reflection_of_cosines() the same.

@@ -28,6 +28,16 @@ Eigen::Array3d directed(const FacetHighlight& law, const LightCosines& cosines) 
   return result;
 }
 
+Eigen::Array3d directed(const FresnelHighlight& law, const LightCosines& cosines) {
+  require(std::isfinite(law.exponent) && law.exponent >= 1, "highlight: exponent is finite and at least one");
+  const double lobe = std::pow(std::clamp(cosines.mirror, 0.0, 1.0), law.exponent);
+  Eigen::Array3d result;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    result[c] = lobe * fresnel_conductor(std::min(cosines.incidence, 1.0), law.eta[c], law.k[c]);
+  }
+  return result;
+}
+
 }  // namespace
 
 Eigen::Array3d directed_reflection(const Highlight& law, const LightCosines& cosines) {

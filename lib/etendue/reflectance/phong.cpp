@@ -18,6 +18,12 @@ double phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, do
   return std::pow(cosine, exponent);
 }
 
+double weighted_phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent,
+                      const std::function<double(double)>& weight) {
+  const double lobe = phong(normal, to_light, to_viewer, exponent);
+  return lobe == 0 ? 0 : weight(std::min(normal.dot(to_light), 1.0)) * lobe;
+}
+
 double blinn(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent) {
   require(is_unit(normal) && is_unit(to_light) && is_unit(to_viewer), "blinn: all vectors are unit vectors");
   require(std::isfinite(exponent) && exponent >= 1, "blinn: exponent is finite and at least one");

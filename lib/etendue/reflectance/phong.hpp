@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+
 #include "etendue/core/rounding.hpp"
 #include "etendue/geometry/vector.hpp"
 #include "etendue/optics/reflect.hpp"
@@ -25,6 +27,14 @@ constexpr double phong_error(double exponent) {
 /// Accuracy  phong_error(exponent), proved for a pow that errs by less than one ulp
 /// Errors    ContractViolation outside the domain
 [[nodiscard]] double phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent);
+
+/// The lobe with a coefficient that depends on the angle of incidence: W(θ) cosⁿ φ.                        @eq IU.2.7.1
+/// Symbols   weight(c) is W at c = cos θ = N·L in [0, 1]: a constant k_s, or Fresnel's factor, or what was measured
+/// Returns   0 where phong() is; there the weight is not asked
+/// Accuracy  of phong() and of the weight
+/// Errors    as phong()
+[[nodiscard]] double weighted_phong(const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer, double exponent,
+                                    const std::function<double(double)>& weight);
 
 constexpr double blinn_error(double exponent) {
   return (8 * exponent + 2) * kUnitRoundoff;

@@ -19,10 +19,18 @@ std::string choice(const SceneNode& node, const char* key, const std::vector<std
   return member ? member->choice(words).value_or(words.front()) : words.front();
 }
 
+/// η and k of a surface that has them.
+template <class Law>
+void read_index(const SceneNode& node, Law& law) {
+  const auto eta = node.member("eta"), k = node.member("k");
+  if (eta) law.eta = eta->colour(kIndex).value_or(law.eta);
+  if (k) law.k = k->colour(kExtinction).value_or(law.k);
+}
+
 FacetHighlight read_facets(const SceneNode& node) {
   const std::string shape = choice(node, "distribution", {"beckmann", "gaussian", "ggx"});
   const std::string hidden = choice(node, "shadowing", {"grooves", "smith"});
-  const auto roughness_node = node.member("roughness"), eta = node.member("eta"), k = node.member("k");
+  const auto roughness_node = node.member("roughness");
   const double roughness = roughness_node ? roughness_node->number(kRoughness).value_or(1) : 1;
   const auto distribution = shape == "ggx"        ? FacetDistribution::ggx
                             : shape == "gaussian" ? FacetDistribution::gaussian
@@ -34,8 +42,7 @@ FacetHighlight read_facets(const SceneNode& node) {
     shadowing = FacetShadowing::grooves;
   }
   FacetHighlight law{Facets(distribution, roughness, shadowing)};
-  if (eta) law.eta = eta->colour(kIndex).value_or(law.eta);
-  if (k) law.k = k->colour(kExtinction).value_or(law.k);
+  read_index(node, law);
   return law;
 }
 
@@ -51,7 +58,10 @@ std::optional<Highlight> read_highlight(const SceneNode& node, double exponent) 
     return type ? std::optional<Highlight>(facets) : std::nullopt;
   }
   if (*type == "blinn") return BlinnHighlight{exponent};
-  return std::nullopt;
+  if (!node.member("eta") && !node.member("k")) return std::nullopt;  // Phong's with k_s alone
+  FresnelHighlight law{exponent};
+  read_index(node, law);
+  return law;
 }
 
 }  // namespace etendue

@@ -41,7 +41,7 @@ const std::vector<KeySet>& scene_key_sets() {
       {"material", {}, {"comment", "k_d",      "k_a",     "reflectance", "k_s",         "n",           "k_r",
                         "k_t",     "eta",      "fresnel", "dispersion",  "absorption",  "priority",    "frost",
                         "rho",     "emission", "pattern", "bump",        "environment", "see_through", "highlight"}},
-      {"phong_highlight", {"type"}, {"comment"}},
+      {"phong_highlight", {"type"}, {"comment", "eta", "k"}},
       {"blinn_highlight", {"type"}, {"comment"}},
       {"facets_highlight", {"type", "roughness"}, {"comment", "distribution", "shadowing", "eta", "k"}},
       {"spectrum", {"from_nm", "step_nm", "values"}, {"comment"}},
