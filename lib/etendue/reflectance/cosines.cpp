@@ -36,14 +36,15 @@ Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen
   Eigen::Array3d sum = ambient(surface.k_a, ambient_light);
   for (std::size_t i = 0; i < cosines.size(); ++i) {
     if (!(cosines[i].incidence > 0)) continue;
-    Eigen::Array3d directed = Eigen::Array3d::Zero();
-    if (surface.k_s != 0 && surface.highlight) {
-      directed = surface.k_s * directed_reflection(*surface.highlight, cosines[i]);
-    } else if (surface.k_s != 0) {
-      directed =
-          Eigen::Array3d::Constant(surface.k_s * std::pow(std::clamp(cosines[i].mirror, 0.0, 1.0), surface.exponent));
+    const Eigen::Array3d arriving = cosines[i].share * intensities[i];
+    const double lambert = std::min(cosines[i].incidence, 1.0);
+    if (surface.highlight && surface.k_s != 0) {
+      sum += arriving * (surface.k_d * lambert + surface.k_s * directed_reflection(*surface.highlight, cosines[i]));
+      continue;
     }
-    sum += cosines[i].share * intensities[i] * (surface.k_d * std::min(cosines[i].incidence, 1.0) + directed);
+    const double mirror = std::clamp(cosines[i].mirror, 0.0, 1.0);
+    const double directed = surface.k_s == 0 ? 0 : surface.k_s * std::pow(mirror, surface.exponent);
+    sum += arriving * (surface.k_d * lambert + directed);
   }
   return sum;
 }

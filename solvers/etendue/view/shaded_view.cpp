@@ -156,14 +156,18 @@ class Shader {
 
   void append(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
     const Vec3 view = to_viewer(point);
-    const auto products = material(facet).highlight ? all_light_cosines : light_cosines;
+    const bool all = material(facet).highlight.has_value();
     for (std::size_t i = 0; i < lights(); ++i) {
-      const Light& light = scene_.lights[i];
-      const auto [to_light, distance] =
-          directions_[i] ? LightSample{directions_[i]->direction, 0} : towards(light, point);
+      const LightSample light =
+          directions_[i] ? LightSample{directions_[i]->direction, 0} : towards(scene_.lights[i], point);
       // A point that is the light itself has none of it: it would come from everywhere.
-      cosines.push_back(to_light.isZero(0) ? LightCosines{} : products(normal, to_light, view));
-      cosines.back().share = arriving_share(light, distance);
+      if (light.to_light.isZero(0)) {
+        cosines.emplace_back();
+        continue;
+      }
+      cosines.push_back(all ? all_light_cosines(normal, light.to_light, view)
+                            : light_cosines(normal, light.to_light, view));
+      if (!directions_[i]) cosines.back().share = arriving_share(scene_.lights[i], light.distance);
     }
   }
 
