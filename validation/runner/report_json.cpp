@@ -82,7 +82,6 @@ Json totals(const Summary& summary) {
   json["tests_passed"] = summary.passed;
   json["tests_failed"] = summary.failed;
   json["tests_not_run"] = summary.not_run;
-  json["tests_left_out"] = summary.left_out;
   json["claims_verified"] = summary.verified;
   json["claims_refuted"] = summary.refuted;
   json["claims_open"] = summary.open;

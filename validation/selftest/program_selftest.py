@@ -66,12 +66,10 @@ with tempfile.TemporaryDirectory() as folder:
         report = json.load(open(json_path, encoding="utf-8"))
         names = {test["test"] for test in report["tests"]}
         commands = {name for name in names if name.startswith(("RenderCommand.", "Program.", "SolveCommand."))}
-        left_out = report["totals"]["tests_left_out"]
-        good = bool(commands) == has_commands and len(names) > 600
-        good = good and (left_out == 0) == has_commands and (f"; {left_out} of commands left out (--all)" in text) != has_commands
+        good = bool(commands) == has_commands and len(names) > 600 and (" of commands left out (--all)" in text) != has_commands
         print(("ok    " if good else "WRONG ") + f"tests of commands {'run' if has_commands else 'are left out'} {options}")
         if not good:
-            complaints.append(f"{options}: {len(names)} tests, {len(commands)} of commands, {left_out} left out\n{text[-400:]}")
+            complaints.append(f"{options}: {len(names)} tests, {len(commands)} of commands\n{text[-400:]}")
     new = os.path.join(folder, "new")
     demand("so they are where the file is not there yet", ["--junit", new, "--json", os.path.join(folder, "link", "new")],
            2, "--json and --junit name the same file")
