@@ -8,7 +8,7 @@
 namespace etendue {
 
 /// Surfaces nearer to the eye than this share of the scene's diagonal are cut away: the projection divides by depth.
-inline constexpr double kNearPlane = 0x1p-20;
+inline constexpr double kNearPlane = 0x1p-40;
 
 /// A picture of a solved scene: radiosities, not display values.                         @eq IU.6.5, IU.6.5v, IU.5.2
 ///
