@@ -85,6 +85,25 @@ TEST(Highlight, OfFacetsIsCookAndTorrances) {
   }
 }
 
+// CLAIM      IU.2.7.1, IU.4.2.2: N·H, V·H and N·V are within what all_light_cosines() states.
+// ORACLE     closed form: the products of the given vectors in long double.
+// TOLERANCE  16 u, as stated, while |L + V| ≥ 1/4.
+TEST(Highlight, RestsOnProductsOfVectors) {
+  proves({"IU.2.7.1", "IU.4.2.2"}, Oracle::closed_form, "2,000 directions in long double");
+  CounterRandom random(7);
+  uses_seed(7);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 normal = above(random), to_light = above(random), to_viewer = above(random);
+    const Long3 n = normal.cast<Long>(), l = to_light.cast<Long>(), v = to_viewer.cast<Long>();
+    if ((l + v).norm() < 0.25L) continue;
+    const Long3 h = (l + v) / (l + v).norm();
+    const LightCosines cosines = all_light_cosines(normal, to_light, to_viewer);
+    EXPECT_TRUE(near(cosines.halfway, static_cast<double>(n.dot(h)), 16 * kUnitRoundoff));
+    EXPECT_TRUE(near(cosines.tilt, static_cast<double>(v.dot(h)), 16 * kUnitRoundoff));
+    EXPECT_TRUE(near(cosines.view, static_cast<double>(n.dot(v)), 16 * kUnitRoundoff));
+  }
+}
+
 // CLAIM      IU.2.7.1, IU.4.2.2F: with Fresnel's factor for W(θ) local_reflection() and reflection_of_cosines() send k_s F(θ) (R·V)ⁿ of each
 //            channel; weighted_phong() the same for any weight, which it asks for cos θ, and not where nothing is mirrored.
 // ORACLE     closed form: F with a complex angle and the power, in long double.

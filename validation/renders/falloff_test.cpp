@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "etendue/raytracing/render.hpp"
-#include "etendue/view/shaded_view.hpp"
 #include "support/evidence.hpp"
 #include "support/scene_builder.hpp"
+#include "support/single_samples.hpp"
 
 // Point lights that weaken with distance, in pictures.
 namespace etendue::validation {
@@ -31,12 +30,7 @@ TEST(Falloff, WeakensALampInPictures) {
   for (const Falloff& falloff : {Falloff{Law::none, 1, 0}, Falloff{Law::linear, 1, 0.5}, Falloff{Law::linear, 0.5, 0},
                                  Falloff{Law::inverse_square, 1, 0}, Falloff{Law::inverse_square, 0.01, 0}}) {
     const Scene scene = lamp_before_a_wall(falloff);
-    RenderOptions options;
-    options.sampling.samples_per_side = 1;
-    const Image rays = render(*make_accelerator(scene, AcceleratorKind::brute_force), options, {}).value().image;
-    ShadingOptions shading;
-    shading.samples = 1;
-    const Image drawn = view_shaded(scene, shading).value().image;
+    const Image rays = traced_once(scene).image, drawn = drawn_once(scene, 48);
     const long double tan_h = std::tan(static_cast<long double>(scene.camera.horizontal_half_angle));
     const long double tan_v = tan_h * rays.rows / rays.columns;
     for (int row = 0; row < rays.rows; ++row) {

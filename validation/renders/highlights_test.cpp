@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/io/scene_reader.hpp"
-#include "etendue/raytracing/render.hpp"
-#include "etendue/view/shaded_view.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
+#include "support/single_samples.hpp"
 
 // scenes/highlights: Phong's, Blinn's and the facets' highlights, by both methods.
 namespace etendue::validation {
@@ -14,13 +13,6 @@ Scene scene_named(const char* file) {
   scene.camera.columns /= 2;
   scene.camera.rows /= 2;
   return scene;
-}
-
-Rendering traced(const Scene& scene) {
-  RenderOptions options;
-  options.sampling.samples_per_side = 1;
-  options.facts = {PictureFact::object};
-  return render(*make_accelerator(scene, AcceleratorKind::bounding_volumes), options, {}).value();
 }
 
 /// The brightest pixel of an object.
@@ -41,11 +33,8 @@ TEST(Highlights, LookTheSameByBothMethods) {
   proves({"IU.4.2.2", "IU.2.7.1"}, Oracle::program, "the ray tracer at the same pixels");
   for (const char* file : {"scene.json", "grazing.json"}) {
     const Scene scene = scene_named(file);
-    ShadingOptions shading;
-    shading.samples = 1;
-    shading.net.facets = 512;
-    const Rendering rays = traced(scene);
-    const Image drawn = view_shaded(scene, shading).value().image;
+    const Rendering rays = traced_once(scene);
+    const Image drawn = drawn_once(scene, 512);
     std::uint64_t balls = 0, unlike = 0;
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
       if (rays.facts[0].pixels[i][0] < 0) continue;
@@ -68,7 +57,7 @@ TEST(Highlights, DifferAtGrazingIncidence) {
   const auto peak = [](const Scene& scene, std::size_t object) -> Rgb {
     Scene shiny = scene;
     for (Material& material : shiny.materials) material.k_d = material.k_a = Rgb::Zero();
-    return brightest(traced(shiny), object);
+    return brightest(traced_once(shiny), object);
   };
   const Rgb phong = peak(near_by, 0), blinn = peak(near_by, 1), facets = peak(near_by, 2);
   EXPECT_TRUE(near(phong[1], 0.3, 0.003));

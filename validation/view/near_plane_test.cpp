@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "etendue/raytracing/render.hpp"
-#include "etendue/view/shaded_view.hpp"
 #include "support/evidence.hpp"
 #include "support/scene_builder.hpp"
+#include "support/single_samples.hpp"
 
 namespace etendue::validation {
 namespace {
@@ -30,13 +29,7 @@ TEST(NearPlane, CutsNothingThatIsSeen) {
   proves({"IU.5.2"}, Oracle::program, "the ray tracer at the same pixels");
   for (const double half : {10.0, 1e3, 2e4, 1e6}) {
     const Scene scene = marble_on_a_floor(half);
-    RenderOptions options;
-    options.sampling.samples_per_side = 1;
-    const Image rays = render(*make_accelerator(scene, AcceleratorKind::brute_force), options, {}).value().image;
-    ShadingOptions shading;
-    shading.samples = 1;
-    shading.net.facets = 96;
-    const Image drawn = view_shaded(scene, shading).value().image;
+    const Image rays = traced_once(scene).image, drawn = drawn_once(scene, 96);
     std::uint64_t unlike = 0;
     for (std::size_t i = 0; i < rays.pixels.size(); ++i) {
       unlike += (rays.pixels[i] - drawn.pixels[i]).abs().maxCoeff() > 1e-9 ? 1u : 0u;

@@ -12,6 +12,13 @@ namespace etendue {
 
 namespace {
 
+/// Fresnel's factor of each channel.
+template <class Law>
+Eigen::Array3d fresnel(const Law& law, double cosine) {
+  const auto factor = [&](Eigen::Index c) { return fresnel_conductor(cosine, law.eta[c], law.k[c]); };
+  return {factor(0), factor(1), factor(2)};
+}
+
 Eigen::Array3d directed(const BlinnHighlight& law, const LightCosines& cosines) {
   require(std::isfinite(law.exponent) && law.exponent >= 1, "highlight: exponent is finite and at least one");
   return Eigen::Array3d::Constant(std::pow(std::clamp(cosines.halfway, 0.0, 1.0), law.exponent));
@@ -21,21 +28,13 @@ Eigen::Array3d directed(const FacetHighlight& law, const LightCosines& cosines) 
   const double n_l = std::min(cosines.incidence, 1.0), n_v = std::min(cosines.view, 1.0);
   const double n_h = std::clamp(cosines.halfway, 0.0, 1.0), v_h = std::clamp(cosines.tilt, 0.0, 1.0);
   const double sent = law.facets.distribution(n_h) * law.facets.shadowing(n_h, n_l, n_v, v_h) / (4 * n_v);
-  Eigen::Array3d result;
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    result[c] = std::numbers::pi * sent * fresnel_conductor(v_h, law.eta[c], law.k[c]);
-  }
-  return result;
+  return std::numbers::pi * sent * fresnel(law, v_h);
 }
 
 Eigen::Array3d directed(const FresnelHighlight& law, const LightCosines& cosines) {
   require(std::isfinite(law.exponent) && law.exponent >= 1, "highlight: exponent is finite and at least one");
   const double lobe = std::pow(std::clamp(cosines.mirror, 0.0, 1.0), law.exponent);
-  Eigen::Array3d result;
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    result[c] = lobe * fresnel_conductor(std::min(cosines.incidence, 1.0), law.eta[c], law.k[c]);
-  }
-  return result;
+  return lobe * fresnel(law, std::min(cosines.incidence, 1.0));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "etendue/view/shaded_view.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "etendue/core/contract.hpp"
 #include "etendue/raster/projection.hpp"
@@ -344,11 +345,12 @@ Result<ShadedView> view_shaded(const Scene& scene, const ShadingOptions& options
   ShadedView view{Image(camera.columns, camera.rows), facets->size()};
   const int rows = std::max(1, kBand / options.samples);
   const auto bands = static_cast<std::size_t>((camera.rows + rows - 1) / rows);
-  Scene coloured = scene;
   const std::vector<Drawing> all = drawings(scene, options.wavelengths);
+  std::optional<Scene> coloured;  // a copy of everything for the sake of its materials, where wavelengths ask for it
+  if (all.size() > 1) coloured = scene;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    colour_for(all[k].wavelength, scene, coloured.materials);
-    Picture picture(coloured, options, *facets);
+    if (coloured) colour_for(all[k].wavelength, scene, coloured->materials);
+    Picture picture(coloured ? *coloured : scene, options, *facets);
     picture.project(projection);
     const auto draw = [&](std::size_t band) {
       const int first = static_cast<int>(band) * rows;
