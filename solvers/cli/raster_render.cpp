@@ -44,7 +44,7 @@ int render_by_raster(const RenderRequest& request, const SceneFile& file, std::o
   rendering.complete = true;
   const auto written = write_rendering(request, file, rendering);
   if (!written) return fail(err, kName, written.error());
-  tell_left_out(missing, err);
+  if (!request.common.quiet) tell_left_out(missing, err);
   if (request.common.json) {
     print_raster_json(out, request, file, rendering, *written, {drawn->facets, missing, elapsed.count()});
   } else if (!request.common.quiet) {

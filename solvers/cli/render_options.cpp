@@ -35,6 +35,9 @@ void declare(Options& options, RenderRequest& request) {
                  request.vertex_normals);
   options.real("--crease", "DEGREES", "raster: edges of meshes that bend by more stay visible (default: 60)",
                request.crease_deg, 0, 180);
+  options.choice("--stepping", {"direct", "incremental"},
+                 "raster: from pixel to pixel of a row by the formula, or by one addition each (default: direct)",
+                 request.stepping);
   options.text("--size", "COLUMNSxROWS", "size of the picture (default: the scene's); keeps the horizontal angle",
                request.size);
   options.integer("--columns", "N", "make the picture N pixels wide, in the scene's proportions (default: the scene's)",

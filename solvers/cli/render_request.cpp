@@ -134,6 +134,13 @@ Shadows shadows_named(const std::string& kind, const std::string& cure) {
   return shadows;
 }
 
+/// Flat shading takes the facets' own normals.
+std::optional<std::string> of_other_shadings(const RenderRequest& request) {
+  if (request.shading != "flat" || (request.vertex_normals.empty() && request.crease_deg < 0)) return std::nullopt;
+  return "option '" + std::string(request.crease_deg < 0 ? "--vertex-normals" : "--crease") +
+         "' says how normals at corners are made; --shading flat takes those of the facets";
+}
+
 /// What was asked of the other method.
 std::optional<std::string> of_the_other_method(const RenderRequest& request) {
   std::vector<std::string> strange;
@@ -145,6 +152,7 @@ std::optional<std::string> of_the_other_method(const RenderRequest& request) {
     note(!request.vertex_normals.empty(), "--vertex-normals");
     note(request.facets > 0, "--facets");
     note(request.crease_deg >= 0, "--crease");
+    note(!request.stepping.empty(), "--stepping");
     if (strange.empty()) return std::nullopt;
     return "option '" + strange.front() + "' is for --method raster: rays meet the surfaces themselves";
   }
@@ -191,6 +199,7 @@ ShadingOptions RenderRequest::shading_options() const {
   if (shading == "dot") options.shading = Shading::dot;
   if (vertex_normals == "equal") options.weight = NormalWeight::equal;
   if (vertex_normals == "area") options.weight = NormalWeight::area;
+  if (stepping == "incremental") options.stepping = Stepping::incremental;
   if (facets > 0) options.net.facets = facets;
   if (crease_deg >= 0) options.net.crease_angle = std::min(crease_deg / 180, 1.0) * std::numbers::pi;
   options.samples = render.sampling.samples_per_side;
@@ -220,7 +229,8 @@ std::string RenderRequest::shading_text() const {
   const ShadingOptions options = shading_options();
   return (shading.empty() ? "phong" : shading) + ", " + std::to_string(options.net.facets) + " facets, normals by " +
          (vertex_normals.empty() ? "angle" : vertex_normals) + ", creases of " +
-         shortest(crease_deg < 0 ? kUsualCreaseDeg : crease_deg) + "°";
+         shortest(crease_deg < 0 ? kUsualCreaseDeg : crease_deg) + "°" +
+         (options.stepping == Stepping::incremental ? ", by additions along rows" : "");
 }
 
 std::string RenderRequest::settings(const Camera& camera) const {
@@ -241,6 +251,7 @@ std::string RenderRequest::settings(const Camera& camera) const {
 
 std::optional<std::string> settle(RenderRequest& request) {
   if (const auto wrong = of_the_other_method(request)) return wrong;
+  if (const auto wrong = of_other_shadings(request)) return wrong;
   Sampling& sampling = request.render.sampling;
   if (request.sampling == "jittered") sampling.scheme = SamplingScheme::jittered;
   if (request.sampling == "adaptive") sampling.scheme = SamplingScheme::adaptive;

@@ -24,9 +24,9 @@ struct RenderRequest {
   std::filesystem::path preview;  ///< empty: none
   RenderOptions render;
   std::string method = "raytrace";
-  std::string shading, vertex_normals;  ///< empty: not given, phong and angle
-  int facets = 0;                       ///< 0: not given
-  double crease_deg = -1;               ///< negative: not given
+  std::string shading, vertex_normals, stepping;  ///< empty: not given, phong, angle, direct
+  int facets = 0;                                 ///< 0: not given
+  double crease_deg = -1;                         ///< negative: not given
   std::string overflow = "clamp";
   std::string accelerator = "bvh";
   std::string sampling = "uniform";

@@ -43,12 +43,15 @@ TEST(RasterCommand, DrawsAndSaysWhatIsMissing) {
                              "--method raytrace"),
             std::string::npos)
       << mirrors.err;
-  const Ended slab =
-      run_etendue({"render", scene("slab"), "--method", "raster", "--size", "30x20", "--quiet", "--output", picture});
-  EXPECT_TRUE(holds(slab.code == 0 && slab.out.empty()));
+  std::vector<std::string> drawn{"render", scene("slab"), "--method", "raster", "--size", "30x20", "--output", picture};
+  const Ended slab = run_etendue(drawn);
+  EXPECT_EQ(slab.code, 0);
   EXPECT_EQ(slab.err,
             "etendue render: --method raster leaves out reflection (k_r of 'glass'), refraction (k_t of 'glass') and "
             "shadows; --method raytrace has them\n");
+  drawn.emplace_back("--quiet");
+  const Ended quiet = run_etendue(drawn);
+  EXPECT_TRUE(holds(quiet.code == 0 && quiet.out.empty() && quiet.err.empty())) << quiet.err;
 }
 
 // CLAIM      A material that only the rasteriser sees through is named where rays are traced; it is not with --quiet, nor by
@@ -86,6 +89,11 @@ TEST(RasterCommand, RefusesOptionsOfTheOtherMethod) {
   EXPECT_TRUE(refused({"--shading", "flat"}, "option '--shading' is for --method raster"));
   EXPECT_TRUE(refused({"--facets", "8"}, "option '--facets' is for --method raster"));
   EXPECT_TRUE(refused({"--crease", "8"}, "option '--crease' is for --method raster"));
+  EXPECT_TRUE(refused({"--stepping", "incremental"}, "option '--stepping' is for --method raster"));
+  const std::string flat = "' says how normals at corners are made; --shading flat takes those of the facets";
+  EXPECT_TRUE(refused({"--method", "raster", "--shading", "flat", "--crease", "8"}, "option '--crease" + flat));
+  EXPECT_TRUE(refused({"--method", "raster", "--shading", "flat", "--vertex-normals", "area"},
+                      "option '--vertex-normals" + flat));
   for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--depth", "3"},
                                                                                       {"--sampling", "jittered"},
                                                                                       {"--aov", "depth"},

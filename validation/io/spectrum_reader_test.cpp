@@ -41,6 +41,10 @@ TEST(SpectrumReader, HoldsWhatTheFileSays) {
   const Scene glow = read(folder, spectral(R"("k_d": 0.5)", "1000"));
   const double expected = std::pow(700.0 / 780, 5) * std::exp(1.438776877e7 / 1000 * (1.0 / 700 - 1.0 / 780));
   EXPECT_TRUE(near(glow.illuminant->power.at(780) / glow.illuminant->power.at(700), expected, 1e-7));
+  const Scene sun = read(folder, spectral(R"("k_d": 0.5)", R"("sun")"));
+  const Scene star = read(folder, spectral(R"("k_d": 0.5)", "5772"));
+  for (const double at : {380.0, 500.0, 780.0})
+    EXPECT_TRUE(holds(sun.illuminant->power.at(at) == star.illuminant->power.at(at)));
   const Scene flat = read(folder, spectral(R"("k_d": 0.5)", "[[300, 2], [900, 2]]"));
   EXPECT_TRUE(holds(flat.illuminant->power.at(400) == flat.illuminant->power.at(700)));
 
@@ -97,9 +101,9 @@ TEST(SpectrumReader, SaysWhatIsWrongAndWhere) {
   const auto light = [&](const std::string& value, const std::string& words) {
     refused(spectral(R"("k_d": 0.5)", value), ": /illuminant" + words);
   };
-  light(R"("D55")", R"(: found "D55", expected one of "D65" or "A")");
+  light(R"("D55")", R"(: found "D55", expected "D65", "A", "sun", a temperature in [500, 1e+06] K, or a spectrum)");
   light("499", ": found 499, expected a number in [500, 1e+06]");
-  light("true", R"(: found true, expected "D65", "A", a temperature in [500, 1e+06] K, or a spectrum)");
+  light("true", R"(: found true, expected "D65", "A", "sun", a temperature in [500, 1e+06] K, or a spectrum)");
   light("[[380, 1], [780, -1]]", "/1/1: found -1, expected a number in [0, 1e+50]");
   light("[[380, 0], [780, 0]]", ": found a light of which the eye sees nothing, expected a power above 0");
   light("[[500, 1], [780, 1]]", ": found wavelengths from 500 to 780 nm, expected all visible ones");

@@ -140,6 +140,10 @@ TEST(Fresnel, KnowsConductors) {
     }
   }
   for (const double eta : {0.2, 1.0, 1.5}) EXPECT_TRUE(near(fresnel_conductor(0, eta, 3), 1, 0));
+  // Without a boundary nothing is reflected, also where the cosine's square underflows; the least one with any has all.
+  for (const double cosine : {0.0, 1e-300, 1e-160, 1e-8, 0.5, 1.0})
+    EXPECT_TRUE(near(fresnel_conductor(cosine, 1, 0), 0, 0));
+  EXPECT_TRUE(near(fresnel_conductor(1e-300, 1.5, 0), 1, kConductorError));
 }
 
 // CLAIM      IU.4.2.2F: Schlick's formula has the limits at normal and grazing incidence, and is within kSchlickError between them for

@@ -181,6 +181,24 @@ TEST(CookTorrance, GivesNothingEdgeOn) {
   }
 }
 
+// CLAIM      IU.4.2.2: next to the edge, where N·L and N·V nearly vanish, the quotient of G and their product stays what it is: for GGX and
+//            Smith's functions G → 2/(m (1/n_l + 1/n_v)), so that f → D/(2 m (n_l + n_v)).
+// ORACLE     closed form: that limit, with L and V in the plane of N, at right angles to each other about it, so that N·H → (n_l + n_v)/√2.
+// TOLERANCE  the term that is left out of G, (n_l n_v)/(n_l + n_v) 2/m and less: 1e-7 at 1e-9, 1e-10 at 1e-12; below, kFacetError.
+TEST(CookTorrance, IsFiniteNextToTheEdge) {
+  proves({"IU.4.2.2"}, Oracle::closed_form, "limit of Smith's G at grazing incidence, cosines from 1e-9 to 1e-300");
+  constexpr double m = 0.5;
+  const Facets facets(FacetDistribution::ggx, m, FacetShadowing::smith);
+  for (const double n_l : {1e-9, 1e-12, 1e-100, 1e-200, 1e-300}) {
+    for (const double n_v : {n_l, 3 * n_l}) {
+      const Vec3 n(0, 0, 1), l(1, 0, n_l), v(0, 1, n_v);
+      const double right = facets.distribution((n_l + n_v) / std::numbers::sqrt2) / (2 * m * (n_l + n_v));
+      const double tolerance = n_l > 1e-10 ? 1e-7 : 1e-10;
+      EXPECT_TRUE(near(cook_torrance(facets, n, l, v) / right, 1, n_l < 1e-50 ? kFacetError : tolerance)) << n_l;
+    }
+  }
+}
+
 // CLAIM      IU.4.2.3: under small angles of incidence the highlights of both models lie at the mirror direction and fall alike; under
 //            large ones that of Cook and Torrance moves towards the horizon and outshines Phong's many times.
 // ORACLE     independent method: the two models, the exponent matched to the roughness (n = 1/(2 m²) gives the same curvature at the

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "etendue/optics/reflect.hpp"
 #include "etendue/reflectance/bump.hpp"
 #include "support/evidence.hpp"
+#include "support/figure_drawing.hpp"
 #include "support/process.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -15,51 +15,13 @@
 namespace etendue::validation {
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value == 0 ? 0 : value);
-  return text;
-}
-
-/// Pictures are drawn in x to the right and z upwards.
-class Drawing {
- public:
-  Drawing(double width, double height, double scale) : scale_(scale), height_(height) {
-    svg_ = "<!-- SPDX-License-Identifier: Apache-2.0 -->\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-           number(width * scale) + "\" height=\"" + number(height * scale) +
-           "\" font-family=\"sans-serif\" font-size=\"15\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-  }
-  void line(const std::vector<Vec3>& points, const std::string& look) {
-    svg_ += "<polyline fill=\"none\" " + look + " points=\"";
-    for (const Vec3& p : points) svg_ += number(p.x() * scale_) + "," + number((height_ - p.z()) * scale_) + " ";
-    svg_ += "\"/>\n";
-  }
-  void arrow(const Vec3& from, const Vec3& to, const std::string& look) {
-    const Vec3 back = 0.12 * (from - to).normalized(), side(-0.4 * back.z(), 0, 0.4 * back.x());
-    line({from, to, to + back + side, to, to + back - side}, look);
-  }
-  void text(const Vec3& at, const std::string& words) {
-    svg_ += "<text x=\"" + number(at.x() * scale_) + "\" y=\"" + number((height_ - at.z()) * scale_) + "\">" + words +
-            "</text>\n";
-  }
-  std::string done() const { return svg_ + "</svg>\n"; }
-
- private:
-  double scale_, height_;
-  std::string svg_;
-};
-
-const std::string kBlack = "stroke=\"black\" stroke-width=\"2\"", kRed = "stroke=\"#c22\" stroke-width=\"1.2\"",
-                  kGrey = "stroke=\"#888\" stroke-width=\"1.2\"",
-                  kDotted = "stroke=\"#c80\" stroke-width=\"1.2\" stroke-dasharray=\"4 3\"";
-
 // CLAIM      IU.4.2.1, figure 22: a smooth surface with its normals, the same surface displaced by f with the normals that it then has, and the
 //            smooth one with the perturbed normals: they point as those of the displaced one do.
 // ORACLE     closed form: the slope of the displaced profile, of which nothing but the first order in f is left out.
 // TOLERANCE  f κ f' for the curvature κ, and what the slope's own square leaves: 0.02 here; the drawing is the one that is shipped.
 TEST(Figures, DrawBumpMapping) {
   proves({"IU.4.2.1"}, Oracle::closed_form, "slopes of the displaced profile");
-  Drawing drawing(9, 6.6, 80);
+  FigureDrawing drawing(9, 6.6, 80);
   constexpr double kRound = 12;  // radius of the profile
   const auto at = [&](double s, double height) {
     const double turn = (s - 4.5) / kRound;
@@ -120,7 +82,7 @@ TEST(Figures, DrawMicrofacets) {
     const Vec3 sent = reflect(-light, Vec3(-way.z(), 0, way.x()));
     EXPECT_TRUE(within((sent - viewer).norm(), 2 * reflection_error()));
   }
-  Drawing drawing(9, 4.4, 100);
+  FigureDrawing drawing(9, 4.4, 100);
   drawing.line({a0, a1, b0, c0, c1, e0, e1, f1, end}, kBlack);
   // Light that passes the top of b: it meets c, and what lies before that is dark.
   const double dark = crossing(c0, c1, b0, b0 - 4 * light);

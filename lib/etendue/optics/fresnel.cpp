@@ -36,6 +36,7 @@ double fresnel_conductor(double cosine, double eta, double k) {
   require(kLeastIndexRatio <= eta && eta <= kGreatestIndexRatio,
           "fresnel_conductor: eta is a ratio of refractive indices");
   require(0 <= k && k <= kGreatestIndexRatio, "fresnel_conductor: k is not negative");
+  if (eta == 1 && k == 0) return 0;  // no boundary; c² below would underflow
   const double c = cosine, sines = (1 - c) * (1 + c);
   // The root of real + 2iηk in the first quadrant: its larger part by a sum, the other one by the product ab = ηk.
   const DoubleDouble squares = exact_product(eta, eta) - exact_product(k, k) + exact_product(c, c) - DoubleDouble(1);

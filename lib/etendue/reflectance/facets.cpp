@@ -98,13 +98,18 @@ double Facets::shadowing(double n_h, double n_l, double n_v, double v_h) const {
   return std::min(seen(n_h, n_l, v_h), seen(n_h, n_v, v_h));
 }
 
+double Facets::sent(double n_h, double n_l, double n_v, double v_h) const {
+  // G falls with N·V, so that their quotient stays in range where both nearly vanish.
+  return distribution(n_h) * (shadowing(n_h, n_l, n_v, v_h) / (4 * n_v));
+}
+
 double cook_torrance(const Facets& facets, const Vec3& normal, const Vec3& to_light, const Vec3& to_viewer) {
   require(is_unit(normal) && is_unit(to_light) && is_unit(to_viewer), "cook_torrance: all vectors are unit vectors");
   const double n_l = std::min(normal.dot(to_light), 1.0), n_v = std::min(normal.dot(to_viewer), 1.0);
   if (n_l <= 0 || n_v <= 0) return 0;
   const Vec3 halfway = (to_light + to_viewer).normalized();  // not zero: both are on the normal's side
   const double n_h = std::clamp(normal.dot(halfway), 0.0, 1.0), v_h = std::clamp(to_viewer.dot(halfway), 0.0, 1.0);
-  return facets.distribution(n_h) * facets.shadowing(n_h, n_l, n_v, v_h) / (4 * n_v * n_l);
+  return facets.sent(n_h, n_l, n_v, v_h) / n_l;
 }
 
 }  // namespace etendue

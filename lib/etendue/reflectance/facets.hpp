@@ -41,6 +41,9 @@ class Facets {
   double seen(double n_h, double n_v, double v_h) const;
   /// G: share seen by the viewer that the light reaches too.
   double shadowing(double n_h, double n_l, double n_v, double v_h) const;
+  /// D G / (4 n_v) [1/sr]: of the light that falls on the surface, what mirrors would send towards the viewer.
+  /// Domain    n_v > 0
+  double sent(double n_h, double n_l, double n_v, double v_h) const;
 
  private:
   double smith(double cosine) const;  // Λ
@@ -60,7 +63,8 @@ class Facets {
 /// Domain    unit vectors (kUnitTolerance)
 /// Returns   [1/sr]; 0 where N·L ≤ 0 or N·V ≤ 0, where the printed quotient is 1/0 (G6). The printed π in place of 4
 ///           reflects 4/π times what arrives (E5)
-/// Accuracy  relative kFacetError while N·L and N·V exceed 1e-3; measured
+/// Accuracy  relative kFacetError while N·L and N·V exceed 1e-3; measured. Finite however small they are, unless the value
+///           itself is too large for a double
 /// Errors    ContractViolation outside the domain
 [[nodiscard]] double cook_torrance(const Facets& facets, const Vec3& normal, const Vec3& to_light,
                                    const Vec3& to_viewer);

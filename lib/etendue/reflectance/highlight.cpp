@@ -27,8 +27,7 @@ Eigen::Array3d directed(const BlinnHighlight& law, const LightCosines& cosines) 
 Eigen::Array3d directed(const FacetHighlight& law, const LightCosines& cosines) {
   const double n_l = std::min(cosines.incidence, 1.0), n_v = std::min(cosines.view, 1.0);
   const double n_h = std::clamp(cosines.halfway, 0.0, 1.0), v_h = std::clamp(cosines.tilt, 0.0, 1.0);
-  const double sent = law.facets.distribution(n_h) * law.facets.shadowing(n_h, n_l, n_v, v_h) / (4 * n_v);
-  return std::numbers::pi * sent * fresnel(law, v_h);
+  return std::numbers::pi * law.facets.sent(n_h, n_l, n_v, v_h) * fresnel(law, v_h);
 }
 
 Eigen::Array3d directed(const FresnelHighlight& law, const LightCosines& cosines) {

@@ -48,6 +48,12 @@ Points read_steps(const SceneNode& node, const ValueRange& values) {
   return points;
 }
 
+Spectrum glow(double temperature) {
+  Spectrum spectrum = through_table(daylight_d65());
+  for (Spectrum::Point& point : spectrum.points) point.value = black_body(point.wavelength, temperature);
+  return spectrum;
+}
+
 }  // namespace
 
 std::optional<Spectrum> read_spectrum(const SceneNode& node, const ValueRange& values) {
@@ -70,19 +76,18 @@ std::optional<Spectrum> read_spectrum(const SceneNode& node, const ValueRange& v
 std::optional<Illuminant> read_illuminant(const SceneNode& node) {
   const auto kind = node.json().kind;
   if (kind == JsonValue::Kind::string) {
-    const auto name = node.choice({"D65", "A"});
-    if (!name) return std::nullopt;
-    return illuminant(through_table(*name == "A" ? incandescent_a() : daylight_d65()));
+    const std::string& name = node.json().text;
+    if (name == "D65") return illuminant(through_table(daylight_d65()));
+    if (name == "A") return illuminant(through_table(incandescent_a()));
+    if (name == "sun") return illuminant(glow(kSunTemperature));
   }
   if (kind == JsonValue::Kind::number) {
     const auto temperature = node.number(kTemperature);
     if (!temperature) return std::nullopt;
-    Spectrum glow = through_table(daylight_d65());
-    for (Spectrum::Point& point : glow.points) point.value = black_body(point.wavelength, *temperature);
-    return illuminant(glow);
+    return illuminant(glow(*temperature));
   }
   if (kind != JsonValue::Kind::array && kind != JsonValue::Kind::object) {
-    node.expected("\"D65\", \"A\", a temperature in " + kTemperature.text() + " K, or a spectrum");
+    node.expected("\"D65\", \"A\", \"sun\", a temperature in " + kTemperature.text() + " K, or a spectrum");
     return std::nullopt;
   }
   const auto spectrum = read_spectrum(node, kNonNegative);

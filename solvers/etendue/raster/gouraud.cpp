@@ -70,7 +70,7 @@ Numerators numerators(const std::array<GouraudVertex, 3>& triangle, const Triang
 
 /// Calls show(index, value, inverse depth) for each pixel of the triangle that is nearer than what `depths` holds.
 template <Stepping kStepping, class Show>
-void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, const std::vector<double>& depths,
+void step(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, const std::vector<double>& depths,
           const Show& show) {
   for (const auto& corner : triangle) require(corner.inverse_depth > 0, "draw: corners lie before the eye");
   TriangleSpans spans({triangle[0].position, triangle[1].position, triangle[2].position}, window);
@@ -106,6 +106,19 @@ void fill(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window
   } while (spans.next(span));
 }
 
+template <class Show>
+void fill(Stepping stepping, const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window,
+          const std::vector<double>& depths, const Show& show) {
+  switch (stepping) {
+    case Stepping::direct:
+      return step<Stepping::direct>(triangle, window, depths, show);
+    case Stepping::direct_on_multiples:
+      return step<Stepping::direct_on_multiples>(triangle, window, depths, show);
+    case Stepping::incremental:
+      return step<Stepping::incremental>(triangle, window, depths, show);
+  }
+}
+
 std::size_t pixels_of(const ScanWindow& window) {
   return static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(window.last_row - window.first_row);
 }
@@ -123,18 +136,12 @@ void DepthRaster::draw(const std::array<GouraudVertex, 3>& triangle) {
     inverse_depth_[index] = inverse_depth;
     picture_.pixels[index] = value;
   };
-  switch (stepping_) {
-    case Stepping::direct:
-      return fill<Stepping::direct>(triangle, window, inverse_depth_, show);
-    case Stepping::direct_on_multiples:
-      return fill<Stepping::direct_on_multiples>(triangle, window, inverse_depth_, show);
-    case Stepping::incremental:
-      return fill<Stepping::incremental>(triangle, window, inverse_depth_, show);
-  }
+  fill(stepping_, triangle, window, inverse_depth_, show);
 }
 
-void FacetRaster::look(const ScanWindow& window) {
+void FacetRaster::look(const ScanWindow& window, Stepping stepping) {
   window_ = window;
+  stepping_ = stepping;
   inverse_depth_.assign(pixels_of(window), 0.0);
   weights_.resize(pixels_of(window));
   facet_.assign(pixels_of(window), kNoFacet);
@@ -146,7 +153,7 @@ void FacetRaster::draw(const std::array<GouraudVertex, 3>& triangle, std::uint32
     weights_[index] = value;
     facet_[index] = facet;
   };
-  fill<Stepping::direct>(triangle, window_, inverse_depth_, show);
+  fill(stepping_, triangle, window_, inverse_depth_, show);
 }
 
 void FacetRaster::collect(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet,
@@ -154,7 +161,7 @@ void FacetRaster::collect(const std::array<GouraudVertex, 3>& triangle, std::uin
   const auto show = [&](std::size_t index, const Eigen::Array3d& value, double inverse_depth) {
     fragments.push_back({index, inverse_depth, facet, value});
   };
-  fill<Stepping::direct>(triangle, window_, inverse_depth_, show);
+  fill(stepping_, triangle, window_, inverse_depth_, show);
 }
 
 void sort_back_to_front(std::vector<Fragment>& fragments) {

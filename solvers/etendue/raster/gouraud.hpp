@@ -76,9 +76,9 @@ void sort_back_to_front(std::vector<Fragment>& fragments);
 /// lies: what is computed from it is computed once a pixel, whatever was drawn there before.
 class FacetRaster {
  public:
-  explicit FacetRaster(const ScanWindow& window) { look(window); }
+  explicit FacetRaster(const ScanWindow& window, Stepping stepping = Stepping::direct) { look(window, stepping); }
   /// Empties it for other rows; memory that is there is used again.
-  void look(const ScanWindow& window);
+  void look(const ScanWindow& window, Stepping stepping = Stepping::direct);
   /// `value` of the corners are barycentric coordinates in triangle `facet`, of which this is all or a part.
   void draw(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet);
 
@@ -97,6 +97,7 @@ class FacetRaster {
            static_cast<std::size_t>(column);
   }
   ScanWindow window_;
+  Stepping stepping_ = Stepping::direct;
   std::vector<double> inverse_depth_;
   std::vector<Eigen::Array3d> weights_;
   std::vector<std::uint32_t> facet_;

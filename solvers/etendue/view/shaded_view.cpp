@@ -202,7 +202,7 @@ class Picture {
     const int n = options_.samples;
     const ScanWindow window{image.columns * n, first * n, last * n};
     static thread_local FacetRaster raster(window);  // bands are drawn one after the other: memory is asked for once
-    raster.look(window);
+    raster.look(window, options_.stepping);
     std::vector<LightCosines> cosines;
     const Rgb share = white / (n * n);
     std::vector<Fragment> fragments;  // stays empty where nothing is transparent

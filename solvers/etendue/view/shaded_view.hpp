@@ -8,6 +8,7 @@
 #include "etendue/geometry/vertex_normals.hpp"
 #include "etendue/image/image.hpp"
 #include "etendue/meshing/tessellation.hpp"
+#include "etendue/raster/gouraud.hpp"
 
 namespace etendue {
 
@@ -23,8 +24,10 @@ struct ShadingOptions {
   Shading shading = Shading::phong;
   NormalWeight weight = NormalWeight::angle;  ///< the same however polygons are cut into triangles
   TessellationOptions net;
-  int samples = 2;      ///< samples × samples centres a pixel, averaged
-  int wavelengths = 0;  ///< at which what has a reflectance is seen, as by see(); 0: in three channels
+  Stepping stepping =
+      Stepping::direct;  ///< of what is interpolated along a row, normals too        @eq IU.3.2c, IU.3.3
+  int samples = 2;       ///< samples × samples centres a pixel, averaged
+  int wavelengths = 0;   ///< at which what has a reflectance is seen, as by see(); 0: in three channels
 };
 
 struct ShadedView {
