@@ -5,7 +5,7 @@
 const OUTCOMES = ["passed", "failed", "skipped", "not run"];
 const KINDS = ["identity", "closed form", "table", "exact arithmetic", "metamorphic", "statistics", "independent method",
   "known render"];
-const STATED = ["open", "verified", "refuted", "proved"];
+const STATED = ["open", "verified", "refuted", "proved", "not testable"];
 
 function isCount(value) { return Number.isSafeInteger(value) && value >= 0; }
 function isText(value) { return typeof value === "string" && value.length > 0; }
@@ -74,6 +74,7 @@ function verdictOf(row, report) {
       good = true;
     }
   }
+  if (row.register === "not testable") return good ? "NOT PROVED" : "not testable";
   if (row.register === "open") return good ? "open, in part" : "open";
   if (good) return row.register;
   return report.full_run ? "NOT PROVED" : "not run";
@@ -91,6 +92,7 @@ function checkRow(row, report, errata, say, isClaim) {
   if (isClaim && !isTexts(row.errata)) say(id + ": its list of errata is missing");
   else if (isClaim)
     for (const erratum of row.errata) if (!errata.has(erratum)) say(id + ": names the erratum " + erratum + ", which is not there");
+  if (isClaim && row.register === "not testable" && !isText(row.reason)) say(id + ": is called not testable, without a reason");
   if (isClaim && !isText(row.statement)) say(id + ": states nothing");
 }
 
@@ -100,6 +102,7 @@ function totalsOf(report) {
   return { tests_passed: tests(["passed"]), tests_failed: tests(["failed", "skipped"]), tests_not_run: tests(["not run"]),
     claims_verified: rows(report.claims, "verified"), claims_refuted: rows(report.claims, "refuted"),
     claims_open: report.claims.filter(function (r) { return r.register === "open"; }).length,
+    claims_not_testable: rows(report.claims, "not testable"),
     errata_proved: rows(report.errata, "proved") };
 }
 

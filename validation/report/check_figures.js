@@ -204,7 +204,7 @@ function checkFigures(report, say) {
   });
 }
 
-const VERDICTS = ["FAILED", "NOT PROVED", "not run", "open", "open, in part", "not there", "verified", "refuted", "proved"];
+const VERDICTS = ["FAILED", "NOT PROVED", "not run", "open", "open, in part", "not testable", "not there", "verified", "refuted", "proved"];
 
 function checkHistory(report, say) {
   const history = report.history;

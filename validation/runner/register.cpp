@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array kVerdicts = {Verdict::open, Verdict::verified, Verdict::refuted, Verdict::proved};
+constexpr std::array kVerdicts = {Verdict::open, Verdict::verified, Verdict::refuted, Verdict::proved,
+                                  Verdict::not_testable};
 
 struct BadRow {
   std::string message;
@@ -87,8 +88,10 @@ Claim claim_from(const Json& json, const std::string& place) {
               row.text("subject"),
               row.text("statement"),
               row.text("formula", true),
-              row.verdict({Verdict::open, Verdict::verified, Verdict::refuted}),
-              row.texts("errata")};
+              row.verdict({Verdict::open, Verdict::verified, Verdict::refuted, Verdict::not_testable}),
+              row.texts("errata"),
+              {}};
+  if (claim.verdict == Verdict::not_testable) claim.reason = row.text("reason");
   row.finish();
   if (claim.verdict == Verdict::refuted && claim.errata.empty())
     throw BadRow{place + ": refuted, but names no erratum"};
@@ -149,6 +152,8 @@ std::string_view name(Verdict verdict) {
       return "refuted";
     case Verdict::proved:
       return "proved";
+    case Verdict::not_testable:
+      return "not testable";
   }
   return "unknown";
 }

@@ -12,10 +12,11 @@ namespace etendue::validation {
 
 /// The verdict of one row, as the register states it; a run confirms or contradicts it.
 enum class Verdict {
-  open,      ///< not shown yet
-  verified,  ///< holds as printed
-  refuted,   ///< wrong or ambiguous as printed; the mended form holds
-  proved,    ///< errata only: the printed form fails and the mended one holds
+  open,          ///< not shown yet
+  verified,      ///< holds as printed
+  refuted,       ///< wrong or ambiguous as printed; the mended form holds
+  proved,        ///< errata only: the printed form fails and the mended one holds
+  not_testable,  ///< claims only: no test could decide it, for the reason that the row gives
 };
 std::string_view name(Verdict verdict);
 
@@ -28,6 +29,7 @@ struct Claim {
   std::string formula;  ///< plain text, may be empty
   Verdict verdict = Verdict::open;
   std::vector<std::string> errata;  ///< that mend it
+  std::string reason;               ///< why it is not testable; else empty
 };
 
 /// One mistake, or one missing guard, of a source document.

@@ -191,8 +191,11 @@ void append_claims(std::string& page, const Json& report, const Register& all, c
       "class=\"wide\"><thead><tr><th scope=\"col\">Id</th><th scope=\"col\">Statement</th><th "
       "scope=\"col\">Verdict</th>"
       "<th scope=\"col\">Error/tolerance</th><th scope=\"col\">Held against</th></tr></thead>\n<tbody>\n";
-  for (std::size_t i = 0; i < all.claims.size(); ++i)
-    append_row(page, report["claims"][i], "<p>" + escaped(all.claims[i].statement) + "</p>", known);
+  for (std::size_t i = 0; i < all.claims.size(); ++i) {
+    const std::string why =
+        all.claims[i].reason.empty() ? "" : "<p>Not testable: " + escaped(all.claims[i].reason) + "</p>";
+    append_row(page, report["claims"][i], "<p>" + escaped(all.claims[i].statement) + "</p>" + why, known);
+  }
   for (std::size_t i = 0; i < all.errata.size(); ++i) {
     const auto& erratum = all.errata[i];
     append_row(page, report["errata"][i],

@@ -85,6 +85,7 @@ Json totals(const Summary& summary) {
   json["claims_verified"] = summary.verified;
   json["claims_refuted"] = summary.refuted;
   json["claims_open"] = summary.open;
+  json["claims_not_testable"] = summary.not_testable;
   json["errata_proved"] = summary.proved;
   return json;
 }
@@ -110,6 +111,7 @@ std::string json_report(const Summary& summary, const Register& all, const Build
     row["source"] = all.claims[i].source;
     row["statement"] = all.claims[i].statement;
     row["errata"] = all.claims[i].errata;
+    if (!all.claims[i].reason.empty()) row["reason"] = all.claims[i].reason;
     row.update(from(summary.claims[i]));
     json["claims"].push_back(row);
   }

@@ -31,7 +31,8 @@ std::string verdict_text(const RowReport& row) {
 }
 
 void append_row(std::string& text, const RowReport& row) {
-  if (row.standing == Standing::open || row.standing == Standing::not_run) return;
+  if (row.standing == Standing::open || row.standing == Standing::not_run || row.standing == Standing::not_testable)
+    return;
   if (row.proofs.empty()) append_line(text, {row.id, "-", "-", verdict_text(row)});
   for (std::size_t i = 0; i < row.proofs.size(); ++i) {
     const Proof& proof = row.proofs[i];
@@ -40,11 +41,12 @@ void append_row(std::string& text, const RowReport& row) {
   }
 }
 
-void append_open(std::string& text, const char* what, const std::vector<RowReport>& rows) {
-  std::string line = std::string("open ") + what + ":";
+/// A list of the rows of which the run has no more to say.
+void append_list(std::string& text, const std::string& title, Standing standing, const std::vector<RowReport>& rows) {
+  std::string line = title + ":";
   bool any = false;
   for (const auto& row : rows) {
-    if (row.standing != Standing::open) continue;
+    if (row.standing != standing) continue;
     any = true;
     if (line.size() + 1 + row.id.size() > kLineWidth) {
       text += line + "\n";
@@ -87,8 +89,9 @@ std::string text_report(const Summary& summary, const BuildInfo& build) {
   text += "\n";
   append_not_run(text, summary);
   if (summary.full) {
-    append_open(text, "claims", summary.claims);
-    append_open(text, "errata", summary.errata);
+    append_list(text, "not testable", Standing::not_testable, summary.claims);
+    append_list(text, "open claims", Standing::open, summary.claims);
+    append_list(text, "open errata", Standing::open, summary.errata);
   }
   for (const auto& test : summary.tests) {
     for (const auto& failure : test.failures) text += "FAILED " + test.suite + "." + test.name + "\n" + failure + "\n";

@@ -78,6 +78,7 @@ int print_claims(const Register& all) {
               << claim.statement;
     if (!claim.formula.empty()) std::cout << "  " << claim.formula;
     for (const auto& erratum : claim.errata) std::cout << " [" << erratum << "]";
+    if (!claim.reason.empty()) std::cout << " Not testable: " << claim.reason;
     std::cout << "\n";
   }
   for (const auto& erratum : all.errata) {

@@ -36,6 +36,7 @@ void add(std::vector<Proof>& proofs, const Evidence& evidence) {
 
 Standing standing(Verdict verdict, bool any_passed, bool any_failed, bool full) {
   if (any_failed) return Standing::failed;
+  if (verdict == Verdict::not_testable) return any_passed ? Standing::unbacked : Standing::not_testable;
   if (verdict == Verdict::open) return any_passed ? Standing::partial : Standing::open;
   if (any_passed) return Standing::confirmed;
   return full ? Standing::unbacked : Standing::not_run;
@@ -71,8 +72,8 @@ void find_problems(Summary& summary, const Register& all) {
   }
   const auto unbacked = [&](const RowReport& row) {
     if (row.standing != Standing::unbacked) return;
-    summary.problems.push_back(row.id + ": the register says " + std::string(name(row.verdict)) +
-                               ", but no test proves it");
+    summary.problems.push_back(row.id + ": the register says " + std::string(name(row.verdict)) + ", but " +
+                               (row.verdict == Verdict::not_testable ? "a test proves it" : "no test proves it"));
   };
   std::for_each(summary.claims.begin(), summary.claims.end(), unbacked);
   std::for_each(summary.errata.begin(), summary.errata.end(), unbacked);
@@ -86,6 +87,7 @@ void count(Summary& summary) {
   }
   for (const auto& row : summary.claims) {
     if (row.verdict == Verdict::open) ++summary.open;
+    if (row.standing == Standing::not_testable) ++summary.not_testable;
     if (row.standing == Standing::confirmed) ++(row.verdict == Verdict::verified ? summary.verified : summary.refuted);
   }
   for (const auto& row : summary.errata) summary.proved += row.standing == Standing::confirmed;
@@ -115,8 +117,10 @@ std::string left_out_text(const Summary& summary) {
 
 std::string headline(const Summary& summary) {
   return std::to_string(summary.verified) + (summary.verified == 1 ? " claim verified, " : " claims verified, ") +
-         std::to_string(summary.refuted) + " refuted with the mended form verified, " + std::to_string(summary.open) +
-         " open; " + std::to_string(summary.proved) + (summary.proved == 1 ? " erratum proved" : " errata proved");
+         std::to_string(summary.refuted) + " refuted with the mended form verified, " +
+         std::to_string(summary.not_testable) + " not testable" +
+         (summary.open == 0 ? "" : ", " + std::to_string(summary.open) + " open") + "; " +
+         std::to_string(summary.proved) + (summary.proved == 1 ? " erratum proved" : " errata proved");
 }
 
 std::string stop_notice(const Summary& summary) {
@@ -148,6 +152,8 @@ std::string word(const RowReport& row) {
       return "open, in part";
     case Standing::open:
       return "open";
+    case Standing::not_testable:
+      return "not testable";
   }
   return "unknown";
 }

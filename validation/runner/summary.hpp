@@ -36,6 +36,7 @@ enum class Standing {
   not_run,    ///< the register claims a proof, but its tests were not selected
   partial,    ///< open in the register; tests of a part of it passed
   open,
+  not_testable,  ///< by the register, which says why
 };
 
 /// One line of the report: a row of the register and one kind of oracle that it was held against.
@@ -67,6 +68,7 @@ struct Summary {
   int verified = 0;
   int refuted = 0;
   int open = 0;
+  int not_testable = 0;
   int proved = 0;
   bool full = true;
 

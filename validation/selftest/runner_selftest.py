@@ -29,12 +29,13 @@ def demand_run(what, options, code, *texts):
 
 
 out = demand_run("good tests pass", ["--filter", "Good.*"], 0, "T.1", "closed form", "0.100", "3 tests passed, 0 failed",
-                 "1 claim verified, 1 refuted with the mended form verified, 1 open; 1 erratum proved")
+                 "1 claim verified, 1 refuted with the mended form verified, 1 not testable, 1 open; 1 erratum proved")
 lines = {line.split()[0]: line for line in out.splitlines() if line.strip()}
 demand("a yes-or-no claim shows as exact", "exact" in lines["T.2"] and "refuted as printed: E1" in lines["T.2"], out)
 demand("verified rows whose tests were not chosen are counted, not listed", "T.3" not in lines
        and "not run: the tests of 1 claim and 0 errata that have a verdict\n" in out, out)
 demand("an open row with a passing test stays open", "open, in part" in lines["T.4"], out)
+out = demand_run("the matrix says why a claim is not testable", ["--claims"], 0, "T.5\tnot testable\t", "nobody asked him")
 
 demand_run("a failing test ends with 1", ["--filter", "Bad.Fails"], 1, "FAILED", "times the tolerance")
 demand_run("a test that asserts nothing ends with 1", ["--filter", "Bad.AssertsNothing"], 1, "asserts nothing")
@@ -42,7 +43,7 @@ demand_run("so does one that passes out of bounds", ["--filter", "Bad.PassesOutO
 demand_run("so does one that passes on NaN", ["--filter", "Bad.PassesOnNan"], 1, "not a number")
 demand_run("so does one with an unknown id", ["--filter", "Bad.NamesAnUnknownClaim"], 1, "T.77", "register does not have")
 demand_run("so does one that skips", ["--filter", "Bad.Skips"], 1, "nothing skips")
-demand_run("a full run names the unproved row and the disabled test", [], 1, "T.3: the register says verified",
+demand_run("a full run names the unproved row and the disabled test", [], 1, "not testable: T.5\n", "T.3: the register says verified",
            "Bad.DISABLED_Sleeps: skipped")
 demand_run("GoogleTest's own options work, and the evidence still counts",
            ["--gtest_filter=Bad.AssertsNothing"], 1, "[       OK ]", "asserts nothing")

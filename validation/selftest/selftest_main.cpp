@@ -20,7 +20,8 @@ constexpr const char* kClaims = R"({"claims": [
   {"id": "T.1", "source": "[T] 1", "subject": "s", "statement": "holds", "formula": "", "verdict": "verified"},
   {"id": "T.2", "source": "[T] 2", "subject": "mended things", "statement": "mended", "formula": "", "verdict": "refuted", "errata": ["E1"]},
   {"id": "T.3", "source": "[T] 3", "subject": "errors", "statement": "unproved", "formula": "", "verdict": "verified", "errata": ["E1"]},
-  {"id": "T.4", "source": "[T] 4", "subject": "s", "statement": "open", "formula": "", "verdict": "open"}]})";
+  {"id": "T.4", "source": "[T] 4", "subject": "s", "statement": "open", "formula": "", "verdict": "open"},
+  {"id": "T.5", "source": "[T] 5", "subject": "s", "statement": "names a man", "formula": "", "verdict": "not testable", "reason": "nobody asked him"}]})";
 constexpr const char* kErrata = R"({"errata": [
   {"id": "E1", "source": "[T] 2", "printed": "p", "right": "r", "tells_apart": "", "verdict": "proved"}]})";
 
