@@ -113,7 +113,7 @@ def places(value, path=()):
 
 # What carries no verdict, and what a consistent lie may say: text alone, and numbers that nothing else in the report repeats.
 FREE = {"stated", "command", "eye"}
-TEXTS = {"statement", "source", "oracle", "version", "compiler", "build_type", "date", "title", "size_name", "unit"}
+TEXTS = {"statement", "reason", "source", "oracle", "version", "compiler", "build_type", "date", "title", "size_name", "unit"}
 
 
 def faults(data):
