@@ -24,10 +24,9 @@ struct ShadingOptions {
   Shading shading = Shading::phong;
   NormalWeight weight = NormalWeight::angle;  ///< the same however polygons are cut into triangles
   TessellationOptions net;
-  Stepping stepping =
-      Stepping::direct;  ///< of what is interpolated along a row, normals too        @eq IU.3.2c, IU.3.3
-  int samples = 2;       ///< samples × samples centres a pixel, averaged
-  int wavelengths = 0;   ///< at which what has a reflectance is seen, as by see(); 0: in three channels
+  Stepping stepping = Stepping::direct;  ///< along rows, of normals too                       @eq IU.3.2c, IU.3.3
+  int samples = 2;                       ///< samples × samples centres a pixel, averaged
+  int wavelengths = 0;                   ///< at which what has a reflectance is seen, as by see(); 0: in three channels
 };
 
 struct ShadedView {
