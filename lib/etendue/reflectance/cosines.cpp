@@ -43,7 +43,7 @@ Eigen::Array3d reflection_of_cosines(const LocalReflection& surface, const Eigen
       continue;
     }
     const double mirror = std::clamp(cosines[i].mirror, 0.0, 1.0);
-    const double directed = surface.k_s == 0 ? 0 : surface.k_s * std::pow(mirror, surface.exponent);
+    const double directed = surface.k_s == 0 || mirror == 0 ? 0 : surface.k_s * std::pow(mirror, surface.exponent);
     sum += arriving * (surface.k_d * lambert + directed);
   }
   return sum;

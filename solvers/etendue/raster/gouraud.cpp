@@ -61,17 +61,28 @@ Numerators numerators(const std::array<GouraudVertex, 3>& triangle, const Triang
       largest = std::max(largest, std::abs(value));
       all.value[c][k] = value * share;
     }
-    all.multiples[c] = Multiples(largest);
+    if constexpr (kStepping != Stepping::direct) all.multiples[c] = Multiples(largest);
     all.step[c] = placed<kStepping>(all.multiples[c], combined(grows, all.value[c]));
   }
   all.depth_step = combined(grows, all.inverse_depth);
   return all;
 }
 
-/// Calls show(index, value, inverse depth) for each pixel of the triangle that is nearer than what `depths` holds.
+/// Asks the memory for the pixels beside a span. Small triangles write short pieces of many rows, which no processor foresees, and what
+/// is drawn next is mostly their neighbour: a fifth of their time was spent in waiting.
+template <class T>
+void fetch(const std::vector<T>& pixels, std::size_t from) {
+  constexpr std::size_t kAhead = 10, kLine = 64;  // [pixels], [bytes]
+  if (from + kAhead > pixels.size()) return;
+  const auto* bytes = reinterpret_cast<const char*>(pixels.data() + from);
+  for (std::size_t i = 0; i < kAhead * sizeof(T); i += kLine) __builtin_prefetch(bytes + i, 1);
+}
+
+/// Calls show(index, value, inverse depth) for each pixel of the triangle that is nearer than what `depths` holds; values go to
+/// `values`.
 template <Stepping kStepping, class Show>
 void step(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window, const std::vector<double>& depths,
-          const Show& show) {
+          const std::vector<Eigen::Array3d>& values, const Show& show) {
   for (const auto& corner : triangle) require(corner.inverse_depth > 0, "draw: corners lie before the eye");
   TriangleSpans spans({triangle[0].position, triangle[1].position, triangle[2].position}, window);
   Span span;
@@ -88,6 +99,8 @@ void step(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window
         static_cast<std::size_t>(span.row - window.first_row) * static_cast<std::size_t>(window.columns) +
         static_cast<std::size_t>(span.begin);
     const int count = span.end - span.begin;
+    fetch(depths, first + static_cast<std::size_t>(count));
+    fetch(values, first + static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
       const std::size_t index = first + static_cast<std::size_t>(i);
       const double t = i;
@@ -108,14 +121,14 @@ void step(const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window
 
 template <class Show>
 void fill(Stepping stepping, const std::array<GouraudVertex, 3>& triangle, const ScanWindow& window,
-          const std::vector<double>& depths, const Show& show) {
+          const std::vector<double>& depths, const std::vector<Eigen::Array3d>& values, const Show& show) {
   switch (stepping) {
     case Stepping::direct:
-      return step<Stepping::direct>(triangle, window, depths, show);
+      return step<Stepping::direct>(triangle, window, depths, values, show);
     case Stepping::direct_on_multiples:
-      return step<Stepping::direct_on_multiples>(triangle, window, depths, show);
+      return step<Stepping::direct_on_multiples>(triangle, window, depths, values, show);
     case Stepping::incremental:
-      return step<Stepping::incremental>(triangle, window, depths, show);
+      return step<Stepping::incremental>(triangle, window, depths, values, show);
   }
 }
 
@@ -136,7 +149,7 @@ void DepthRaster::draw(const std::array<GouraudVertex, 3>& triangle) {
     inverse_depth_[index] = inverse_depth;
     picture_.pixels[index] = value;
   };
-  fill(stepping_, triangle, window, inverse_depth_, show);
+  fill(stepping_, triangle, window, inverse_depth_, picture_.pixels, show);
 }
 
 void FacetRaster::look(const ScanWindow& window, Stepping stepping) {
@@ -153,7 +166,7 @@ void FacetRaster::draw(const std::array<GouraudVertex, 3>& triangle, std::uint32
     weights_[index] = value;
     facet_[index] = facet;
   };
-  fill(stepping_, triangle, window_, inverse_depth_, show);
+  fill(stepping_, triangle, window_, inverse_depth_, weights_, show);
 }
 
 void FacetRaster::collect(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet,
@@ -161,7 +174,7 @@ void FacetRaster::collect(const std::array<GouraudVertex, 3>& triangle, std::uin
   const auto show = [&](std::size_t index, const Eigen::Array3d& value, double inverse_depth) {
     fragments.push_back({index, inverse_depth, facet, value});
   };
-  fill(stepping_, triangle, window_, inverse_depth_, show);
+  fill(stepping_, triangle, window_, inverse_depth_, weights_, show);
 }
 
 void sort_back_to_front(std::vector<Fragment>& fragments) {

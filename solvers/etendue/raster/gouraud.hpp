@@ -86,6 +86,7 @@ class FacetRaster {
   void collect(const std::array<GouraudVertex, 3>& triangle, std::uint32_t facet,
                std::vector<Fragment>& fragments) const;
 
+  int columns() const { return window_.columns; }
   std::size_t place(int column, int row) const { return index(column, row); }
   std::uint32_t facet(int column, int row) const { return facet_[index(column, row)]; }
   /// Barycentric coordinates on the surface, corrected for perspective; of no meaning where there is no facet.

@@ -69,7 +69,6 @@ Quotient divided(std::int64_t value, std::int64_t divisor) {
 // their remainders and never divided again.
 void TriangleSpans::Edge::begin() {
   if (across == 0) return;
-  kind = across > 0 ? EdgeKind::left : EdgeKind::right;
   divisor = across > 0 ? across : -across;
   const Quotient first =
       across > 0 ? divided(least - value + divisor - 1, divisor) : divided(value - least + divisor, divisor);
@@ -96,19 +95,31 @@ TriangleSpans::TriangleSpans(const std::array<Vec2, 3>& corners, const ScanWindo
   if (first_pixel(left, 0, window.columns) >= first_pixel(right + 1, 0, window.columns)) return;
   row_ = first_pixel(top, window.first_row, window.last_row);
   last_row_ = first_pixel(bottom + 1, window.first_row, window.last_row);
+  for (std::size_t k = 0; k < 3; ++k) {  // a level side at the bottom has no pixel: what its centres lie on ends before
+    if (p[k].y == bottom && p[(k + 1) % 3].y == bottom)
+      last_row_ = first_pixel(bottom, window.first_row, window.last_row);
+  }
   if (row_ >= last_row_) return;
   const Point centre{kSubpixels / 2, row_ * kSubpixels + kSubpixels / 2};
   for (std::size_t k = 0; k < 3; ++k) {
     const Point &from = p[(k + 1) % 3], &to = p[(k + 2) % 3];
-    Edge& edge = edges_[k];
-    edge.corner = original[k];
+    Edge& edge = edges_[original[k]];
     edge.value = edge_value(from, to, centre);
     edge.across = (from.y - to.y) * kSubpixels;
     edge.down = (to.x - from.x) * kSubpixels;
     edge.least = owns_its_points(from, to) ? 0 : 1;
     edge.begin();
-    step_[edge.corner] = edge.across;
   }
+  const auto is = [&](auto condition) {
+    for (std::uint8_t k = 0; k < 3; ++k) {
+      if (condition(edges_[k].across)) return k;
+    }
+    return std::uint8_t{0};
+  };
+  order_[0] = is([](std::int64_t across) { return across > 0; });
+  order_[1] = is([](std::int64_t across) { return across < 0; });
+  order_[2] = static_cast<std::uint8_t>(3 - order_[0] - order_[1]);
+  third_is_right_ = edges_[order_[2]].across < 0;
 }
 
 void scan(const std::array<Vec2, 3>& corners, int columns, int rows, const std::function<void(const Covered&)>& body) {

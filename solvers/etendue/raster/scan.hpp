@@ -42,18 +42,19 @@ class TriangleSpans {
   /// The next row that has a pixel, or false.
   bool next(Span& span) {
     while (row_ < last_row_) {
-      std::int64_t begin = 0, end = columns_;
-      for (Edge& edge : edges_) {
-        if (edge.kind == EdgeKind::left) begin = std::max(begin, edge.bound);
-        if (edge.kind == EdgeKind::right) end = std::min(end, edge.bound);
-        if (edge.kind == EdgeKind::level && edge.value < edge.least) end = 0;
+      const auto [left, right, third] = order_;
+      std::int64_t begin = std::max<std::int64_t>(edges_[left].bound, 0), end = std::min(edges_[right].bound, columns_);
+      if (third_is_right_) {
+        end = std::min(end, edges_[third].bound);
+      } else {
+        begin = std::max(begin, edges_[third].bound);
       }
       const bool found = begin < end;
       if (found) {
         span.row = row_;
         span.begin = static_cast<int>(begin);
         span.end = static_cast<int>(end);
-        for (std::size_t k = 0; k < 3; ++k) span.weight[edges_[k].corner] = edges_[k].value + edges_[k].across * begin;
+        for (std::size_t k = 0; k < 3; ++k) span.weight[k] = edges_[k].value + edges_[k].across * begin;
       }
       ++row_;
       for (Edge& edge : edges_) edge.advance();
@@ -65,19 +66,16 @@ class TriangleSpans {
   /// What weights are divided by.
   double area() const { return area_; }
   /// By how much a weight grows from one pixel to the next in a row.
-  std::int64_t step(std::size_t corner) const { return step_[corner]; }
+  std::int64_t step(std::size_t corner) const { return edges_[corner].across; }
 
  private:
-  enum class EdgeKind { left, right, level };
   /// A side of the triangle. Its function value + across · column is at least `least` on the inner side.
   struct Edge {
-    EdgeKind kind = EdgeKind::level;
-    std::size_t corner = 0;         // opposite to it, as the caller counts
     std::int64_t value = 0;         // at the centre of column 0 in the row
     std::int64_t across = 0;        // growth a column
     std::int64_t down = 0;          // growth a row
     std::int64_t least = 0;         // 0 where the edge owns its points, 1 otherwise
-    std::int64_t bound = 0;         // first column of a left edge, one past the last of a right edge
+    std::int64_t bound = 0;         // first column of a left edge, one past the last of a right edge; 0 of a level one
     std::int64_t remainder = 0;     // of the division that bound is
     std::int64_t bound_growth = 0;  // of bound a row, rounded down
     std::int64_t rest_growth = 0;   // of remainder
@@ -95,8 +93,9 @@ class TriangleSpans {
     }
   };
 
-  std::array<Edge, 3> edges_;
-  std::array<std::int64_t, 3> step_{};
+  std::array<Edge, 3> edges_;                   // opposite to the corners, as the caller counts these
+  std::array<std::uint8_t, 3> order_{0, 1, 2};  // a left one, a right one, and the third
+  bool third_is_right_ = false;
   double area_ = 1;
   int row_ = 0, last_row_ = 0;
   std::int64_t columns_ = 0;

@@ -6,13 +6,11 @@
 
 #include "etendue/core/contract.hpp"
 #include "etendue/raster/projection.hpp"
-#include "etendue/raytracing/shade.hpp"
-#include "etendue/raytracing/shading_normal.hpp"
-#include "etendue/reflectance/cosines.hpp"
 #include "etendue/text/utf8.hpp"
 #include "etendue/view/drawing.hpp"
+#include "etendue/view/facet_shader.hpp"
 #include "etendue/view/facets.hpp"
-#include "etendue/view/mirrored_environment.hpp"
+#include "etendue/view/phong_run.hpp"
 #include "etendue/view/radiosity_view.hpp"
 
 namespace etendue {
@@ -20,163 +18,7 @@ namespace etendue {
 namespace {
 
 constexpr int kLargestPicture = 1 << 16;  // samples along an edge: half of kLargestCoordinate, as Projection wants
-constexpr int kBand = 64;                 // rows of samples that are drawn at a time: they stay in the cache
-
-Vec3 mixed(const Eigen::Array3d& weights, const std::array<Vec3, 3>& values) {
-  return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
-}
-
-/// The local model at points of facets.
-class Shader {
- public:
-  /// What flat and Gouraud's shading compute once and interpolate: the intensity; of a surface with a pattern, whose
-  /// colours are those of each pixel, the light that they then reflect.
-  struct Interpolated {
-    Rgb intensity = Rgb::Zero();
-    Rgb diffuse = Rgb::Zero();  ///< of a pattern: what k_d is multiplied by; the rest is in `intensity`
-  };
-
-  Shader(const Scene& scene, Shading shading) : scene_(scene), shading_(shading) {
-    for (const Light& light : scene.lights) {
-      intensities_.push_back(std::visit([](const auto& each) { return each.intensity; }, light));
-      directions_.push_back(std::get_if<DirectionalLight>(&light));
-    }
-  }
-
-  std::size_t lights() const { return intensities_.size(); }
-
-  const Material& material(const Facet& facet) const { return scene_.materials[scene_.objects[facet.object].material]; }
-
-  Vec3 to_viewer(const Vec3& point) const {
-    const Vec3 way = scene_.camera.eye - point;
-    const double length = way.norm();
-    return length > 0 ? Vec3(way / length) : Vec3(-scene_.camera.gaze.normalized());
-  }
-
-  /// What is known of a facet before its pixels are.
-  void prepare(const Facet& facet, std::vector<Interpolated>& colours, std::vector<LightCosines>& cosines) const {
-    if (shading_ == Shading::flat) {
-      see(facet, facet.centre(), facet.normal, cosines);
-      colours.push_back(light(facet, cosines));
-    }
-    for (std::size_t k = 0; k < 3 && shading_ == Shading::gouraud; ++k) {
-      see(facet, facet.corners[k], facet.normals[k], cosines);
-      colours.push_back(light(facet, cosines));
-    }
-    if (shading_ != Shading::dot) return cosines.clear();
-    for (std::size_t k = 0; k < 3; ++k) append(facet, facet.corners[k], facet.normals[k], cosines);
-  }
-
-  /// What a point shows whose normal is known, with bumps and environment.
-  Rgb phong(const Facet& facet, const Eigen::Array3d& weights, const Vec3& normal,
-            std::vector<LightCosines>& cosines) const {
-    const Material& of = material(facet);
-    const Vec3 point = mixed(weights, facet.corners);
-    see(facet, point, normal, cosines);
-    const Vec3 shaded = of.bump ? bumped(*of.bump, facet, point, normal, cosines) : normal;
-    Rgb colour = reflected(facet, weights, point, cosines);
-    if (of.environment) colour += mirrored_environment(of, -to_viewer(point), normal, shaded);
-    return colour;
-  }
-
-  /// The scalar products of all lights at a point, into `cosines`.
-  void see(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
-    cosines.clear();
-    append(facet, point, normal, cosines);
-  }
-
-  /// Those between the corners of a facet.
-  void mix(const Eigen::Array3d& weights, const LightCosines* at_corners, std::vector<LightCosines>& cosines) const {
-    cosines.clear();
-    for (std::size_t i = 0; i < lights(); ++i) {
-      const LightCosines &a = at_corners[i], &b = at_corners[lights() + i], &c = at_corners[2 * lights() + i];
-      const auto between = [&](double LightCosines::*product) {
-        return weights[0] * a.*product + weights[1] * b.*product + weights[2] * c.*product;
-      };
-      cosines.push_back({between(&LightCosines::incidence), between(&LightCosines::mirror),
-                         between(&LightCosines::halfway), between(&LightCosines::tilt), between(&LightCosines::view),
-                         between(&LightCosines::share)});
-    }
-  }
-
-  Rgb reflected(const Facet& facet, const Eigen::Array3d& weights, const Vec3& point,
-                const std::vector<LightCosines>& cosines) const {
-    const Material& of = material(facet);
-    const SurfaceColour colour = this->colour(facet, weights, point);
-    const LocalReflection surface{colour.k_a, colour.k_d, of.k_s, of.phong_exponent,
-                                  of.highlight ? &*of.highlight : nullptr};
-    return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_) + of.emission;
-  }
-
-  bool has_pattern(const Facet& facet) const { return material(facet).pattern || material(facet).texture; }
-
-  /// Colours of a pixel, of light that was interpolated.
-  Rgb patterned(const Facet& facet, const Eigen::Array3d& weights, const Interpolated& light) const {
-    const SurfaceColour colour = this->colour(facet, weights, mixed(weights, facet.corners));
-    return colour.k_a * scene_.ambient + colour.k_d * light.diffuse + light.intensity;
-  }
-
- private:
-  /// The normal of a bump. In place of the products of the smooth surface stand its own, for the lights that stand before both.
-  Vec3 bumped(const MaterialBump& bump, const Facet& facet, const Vec3& point, const Vec3& normal,
-              std::vector<LightCosines>& cosines) const {
-    const Vec3 outward = facet.turned ? Vec3(-normal) : normal;
-    const Vec3 rough = shading_normal(bump, scene_.objects[facet.object].shape, point, outward);
-    const Vec3 seen = facet.turned ? Vec3(-rough) : rough;
-    const std::size_t smooth = cosines.size();
-    append(facet, point, seen, cosines);
-    for (std::size_t i = 0; i < smooth; ++i)
-      cosines[i] = cosines[i].incidence > 0 ? cosines[smooth + i] : LightCosines{};
-    cosines.resize(smooth);
-    return seen;
-  }
-
-  Interpolated light(const Facet& facet, const std::vector<LightCosines>& cosines) const {
-    const Material& of = material(facet);
-    const auto reflection = [&](const Rgb& k_a, const Rgb& k_d, double k_s) {
-      const LocalReflection surface{k_a, k_d, k_s, of.phong_exponent, of.highlight ? &*of.highlight : nullptr};
-      return reflection_of_cosines(surface, scene_.ambient, cosines, intensities_);
-    };
-    if (!has_pattern(facet)) return {reflection(of.k_a, of.k_d, of.k_s) + of.emission, Rgb::Zero()};
-    return {reflection(Rgb::Zero(), Rgb::Zero(), of.k_s) + of.emission, reflection(Rgb::Zero(), Rgb::Ones(), 0)};
-  }
-
-  SurfaceColour colour(const Facet& facet, const Eigen::Array3d& weights, const Vec3& point) const {
-    const Material& of = material(facet);
-    if (!of.texture) return colour_at(of, point);
-    PatternPlace place;
-    if (!of.texture->laid) {
-      const Triangle triangle{facet.corners[0], facet.corners[1], facet.corners[2]};
-      place = between(triangle, facet.parameters, {weights[1], weights[2]});
-    }
-    const Vec3 way = point - scene_.camera.eye;
-    const double path = way.norm();
-    const Vec3 direction = path > 0 ? Vec3(way / path) : Vec3(-facet.normal);
-    return textured_colour(scene_, scene_.objects[facet.object], {point, facet.normal, direction, path}, place);
-  }
-
-  void append(const Facet& facet, const Vec3& point, const Vec3& normal, std::vector<LightCosines>& cosines) const {
-    const Vec3 view = to_viewer(point);
-    const bool all = material(facet).highlight.has_value();
-    for (std::size_t i = 0; i < lights(); ++i) {
-      const LightSample light =
-          directions_[i] ? LightSample{directions_[i]->direction, 0} : towards(scene_.lights[i], point);
-      // A point that is the light itself has none of it: it would come from everywhere.
-      if (light.to_light.isZero(0)) {
-        cosines.emplace_back();
-        continue;
-      }
-      cosines.push_back(all ? all_light_cosines(normal, light.to_light, view)
-                            : light_cosines(normal, light.to_light, view));
-      if (!directions_[i]) cosines.back().share = arriving_share(scene_.lights[i], light.distance);
-    }
-  }
-
-  const Scene& scene_;
-  Shading shading_;
-  std::vector<Rgb> intensities_;
-  std::vector<const DirectionalLight*> directions_;  ///< null for a light of another kind
-};
+constexpr int kBand = 32;                 // rows of samples that are drawn at a time: they stay in the cache
 
 /// Facets on the picture, and what each pixel of it then shows.
 class Picture {
@@ -194,6 +36,7 @@ class Picture {
       const bool clear = shader_.material(facets_[f]).see_through.has_value();
       for (const auto& part : parts) seen_.push_back({part, static_cast<std::uint32_t>(f), clear});
       shader_.prepare(facets_[f], light_, cosines_);
+      in_runs_.push_back(options_.shading == Shading::phong && PhongRun::takes(shader_.material(facets_[f])));
     }
   }
 
@@ -215,14 +58,20 @@ class Picture {
       }
     }
     sort_back_to_front(fragments);
+    const auto is_drawn = [&](int x, int y) {
+      return which == Which::all || is_spectral(raster, x, y, fragments) == (which == Which::spectral);
+    };
+    Line line(shader_, static_cast<std::size_t>(window.columns) * static_cast<std::size_t>(n));
     for (int row = first; row < last; ++row) {
+      if (options_.shading == Shading::phong) shade(raster, row * n, n, is_drawn, line);
       for (int column = 0; column < image.columns; ++column) {
         Rgb sum = Rgb::Zero();
         for (int down = 0; down < n; ++down) {
           for (int across = 0; across < n; ++across) {
             const int x = column * n + across, y = row * n + down;
-            if (which != Which::all && is_spectral(raster, x, y, fragments) != (which == Which::spectral)) continue;
-            const Rgb drawn = at(raster, x, y, cosines);
+            if (!is_drawn(x, y)) continue;
+            const Rgb drawn =
+                at(raster, x, y, line.colours[static_cast<std::size_t>(down * window.columns + x)], cosines);
             sum += fragments.empty() ? drawn : through(fragments, raster.place(x, y), drawn, cosines);
           }
         }
@@ -253,9 +102,29 @@ class Picture {
     return std::lower_bound(fragments.begin(), fragments.end(), place, is_before);
   }
 
-  Rgb at(const FacetRaster& raster, int column, int row, std::vector<LightCosines>& cosines) const {
+  /// Colours of the samples of a line of pixels, those that PhongRun shades.
+  struct Line {
+    Line(const FacetShader& shader, std::size_t samples) : run(shader), colours(samples) {}
+    PhongRun run;
+    std::vector<Rgb> colours;
+  };
+
+  template <class IsDrawn>
+  void shade(const FacetRaster& raster, int first, int rows, const IsDrawn& is_drawn, Line& line) const {
+    Rgb* colour = line.colours.data();
+    for (int y = first; y < first + rows; ++y) {
+      for (int x = 0; x < raster.columns(); ++x, ++colour) {
+        const std::uint32_t f = raster.facet(x, y);
+        if (f != kNoFacet && in_runs_[f] && is_drawn(x, y)) line.run.add(facets_[f], raster.weights(x, y), *colour);
+      }
+    }
+    line.run.finish();
+  }
+
+  Rgb at(const FacetRaster& raster, int column, int row, const Rgb& in_line, std::vector<LightCosines>& cosines) const {
     const std::uint32_t f = raster.facet(column, row);
-    return f == kNoFacet ? scene_.background : shown(f, raster.weights(column, row), cosines);
+    if (f == kNoFacet) return scene_.background;
+    return in_runs_[f] ? in_line : shown(f, raster.weights(column, row), cosines);
   }
 
   /// What is seen through the fragments of a place, from the farthest to the nearest.               @eq IU.4.4a, IU.4.4b
@@ -273,12 +142,6 @@ class Picture {
     return behind;
   }
 
-  static Vec3 normal_at(const Facet& facet, const Eigen::Array3d& weights) {
-    const Vec3 sum = mixed(weights, facet.normals);
-    const double length = sum.norm();  // zero only half way between opposite normals
-    return length > 0 ? Vec3(sum / length) : facet.normal;
-  }
-
   /// A facet's own colour at a point of it.
   Rgb shown(std::uint32_t f, const Eigen::Array3d& weights, std::vector<LightCosines>& cosines) const {
     const Facet& facet = facets_[f];
@@ -286,28 +149,29 @@ class Picture {
       return shader_.has_pattern(facet) ? shader_.patterned(facet, weights, light_[f]) : light_[f].intensity;
     }
     if (options_.shading == Shading::gouraud) {
-      const Shader::Interpolated* corners = &light_[std::size_t{3} * f];
-      const auto between_corners = [&](Rgb Shader::Interpolated::*part) -> Rgb {
+      const FacetShader::Interpolated* corners = &light_[std::size_t{3} * f];
+      const auto between_corners = [&](Rgb FacetShader::Interpolated::*part) -> Rgb {
         return weights[0] * corners[0].*part + weights[1] * corners[1].*part + weights[2] * corners[2].*part;
       };
-      const Rgb intensity = between_corners(&Shader::Interpolated::intensity);
+      const Rgb intensity = between_corners(&FacetShader::Interpolated::intensity);
       if (!shader_.has_pattern(facet)) return intensity;
-      return shader_.patterned(facet, weights, {intensity, between_corners(&Shader::Interpolated::diffuse)});
+      return shader_.patterned(facet, weights, {intensity, between_corners(&FacetShader::Interpolated::diffuse)});
     }
     if (options_.shading == Shading::dot) {
       shader_.mix(weights, cosines_.data() + 3 * shader_.lights() * f, cosines);
       return shader_.reflected(facet, weights, mixed(weights, facet.corners), cosines);
     }
-    return shader_.phong(facet, weights, normal_at(facet, weights), cosines);
+    return shader_.phong(facet, weights, cosines);
   }
 
   const Scene& scene_;
   const ShadingOptions& options_;
   const std::vector<Facet>& facets_;
-  Shader shader_;
+  FacetShader shader_;
   std::vector<SeenFacet> seen_;
-  std::vector<Shader::Interpolated> light_;  // one of each facet, or three
-  std::vector<LightCosines> cosines_;        // of each facet, corner and light
+  std::vector<char> in_runs_;                     // of each facet: whether PhongRun shades it
+  std::vector<FacetShader::Interpolated> light_;  // one of each facet, or three
+  std::vector<LightCosines> cosines_;             // of each facet, corner and light
 };
 
 /// "'a', 'b' and 3 more": of the materials that fulfil a condition and that an object is made of.
