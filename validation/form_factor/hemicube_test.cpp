@@ -185,7 +185,15 @@ TEST(Hemicube, RefusesHeightsBelowThePatchAndOddResolutions) {
   EXPECT_TRUE(refuses([] { static_cast<void>(hemicube_top_factor({0, std::nan(""), 0, 1})); }));
   EXPECT_TRUE(refuses([] { HemicubeDeltas odd(5); }));
   EXPECT_TRUE(refuses([] { HemicubeDeltas none(0); }));
-  EXPECT_TRUE(refuses([] { static_cast<void>(HemicubeDeltas(4).side(0, 2)); }));
+  const HemicubeDeltas deltas(4);  // columns and rows 0 to 3, on the sides half as many rows
+  for (const int outside : {-1, 4}) {
+    EXPECT_TRUE(refuses([&] { static_cast<void>(deltas.top(outside, 0)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(deltas.top(0, outside)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(deltas.side(outside, 0)); }));
+  }
+  EXPECT_TRUE(refuses([&] { static_cast<void>(deltas.side(0, -1)); }));
+  EXPECT_TRUE(refuses([&] { static_cast<void>(deltas.side(0, 2)); }));
+  EXPECT_TRUE(holds(deltas.top(3, 3) > 0 && deltas.top(0, 0) > 0 && deltas.side(3, 1) > 0 && deltas.side(0, 0) > 0));
 }
 
 }  // namespace

@@ -206,5 +206,44 @@ TEST(VertexNormals, RefuseWhatHasNone) {
   EXPECT_TRUE(refuses([&] { return facet_normals(broken); }));
 }
 
+// CLAIM      IU.3.2a: vertices that are given twice, or once for each triangle, make no edge.
+// ORACLE     metamorphic: the same mesh with vertices of its own for each triangle, zeros of either sign among them.
+// TOLERANCE  none.
+TEST(VertexNormals, DoNotAskHowOftenAVertexIsGiven) {
+  proves({"IU.3.2a", "IU.3.2.1a"}, Oracle::metamorphic,
+         "a hilly net, smooth and with creases, and its triangles one by one");
+  Mesh net, apart;
+  for (std::uint32_t j = 0; j < 9; ++j) {
+    for (std::uint32_t i = 0; i < 9; ++i) {
+      const double x = 0.25 * i - 1, y = 0.25 * j - 1;
+      net.vertices.emplace_back(x, y, std::sin(3 * x) * std::cos(2 * y));
+      if (i == 8 || j == 8) continue;
+      const std::uint32_t a = 9 * j + i;
+      net.triangles.push_back({a, a + 1, a + 10});
+      net.triangles.push_back({a, a + 10, a + 9});
+    }
+  }
+  for (std::uint32_t t = 0; t < net.triangles.size(); ++t) {
+    for (const std::uint32_t end : net.triangles[t]) {
+      Vec3 vertex = net.vertices[end];
+      for (double& x : vertex) x = x == 0 && t % 2 == 0 ? -0.0 : x;
+      apart.vertices.push_back(vertex);
+    }
+    apart.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  std::uint64_t wrong = 0, bent = 0;
+  for (const double crease : {0.3, std::numbers::pi}) {
+    const auto once = corner_normals(net, NormalWeight::angle, crease);
+    const auto often = corner_normals(apart, NormalWeight::angle, crease);
+    const auto facets = facet_normals(net);
+    for (std::size_t t = 0; t < once.size(); ++t) {
+      wrong += once[t] != often[t] ? 1u : 0u;
+      bent += once[t][0] != facets[t] ? 1u : 0u;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, 256));
+  EXPECT_GT(bent, 200u) << "normals are averages";
+}
+
 }  // namespace
 }  // namespace etendue::validation

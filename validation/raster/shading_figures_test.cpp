@@ -116,7 +116,9 @@ TEST(Figures, DrawInterpolatedIntensities) {
   drawing.text(place({17.4, 8.4}), "C");
   drawing.text(place(q + Vec2(-0.5, -0.15)), "Q");
   drawing.text(place(r + Vec2(0.15, -0.15)), "R");
-  drawing.text(place({9.4, y - 0.1}), "P");
+  drawing.line({place({9.38, y}), place({9.5, y - 0.12}), place({9.62, y}), place({9.5, y + 0.12}), place({9.38, y})},
+               kRed);
+  drawing.text(place({9.4, y - 0.25}), "P");
   drawing.text({0.2, 0, kRows + 0.5}, "the scan line meets AB in Q and CB in R; P, a pixel's centre, lies between");
   const std::string svg = drawing.done();
   EXPECT_TRUE(holds(read_text(source_root() / "docs/figure-18.svg") == svg)) << svg;

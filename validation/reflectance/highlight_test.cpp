@@ -199,5 +199,19 @@ TEST(Highlight, ReflectsWhatArrives) {
       holds((directed_reflection(BlinnHighlight{2}, all_light_cosines(Vec3::UnitZ(), down, Vec3(-down))) == 0).all()));
 }
 
+// CLAIM      Lobes have a finite exponent of at least one.
+// ORACLE     identity: what breaks the rule, and what just keeps it.
+// TOLERANCE  none: refusals.
+TEST(Highlight, HasAnExponentOfOneOrMore) {
+  proves({}, Oracle::identity, "two lobes, four broken rules each");
+  const LightCosines lit = all_light_cosines(Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitZ());
+  for (const double exponent : {0.999, -1.0, HUGE_VAL, std::nan("")}) {
+    EXPECT_TRUE(refuses([&] { static_cast<void>(directed_reflection(BlinnHighlight{exponent}, lit)); }));
+    EXPECT_TRUE(refuses([&] { static_cast<void>(directed_reflection(FresnelHighlight{exponent}, lit)); }));
+  }
+  EXPECT_NO_THROW(static_cast<void>(directed_reflection(BlinnHighlight{1}, lit)));
+  EXPECT_NO_THROW(static_cast<void>(directed_reflection(FresnelHighlight{1}, lit)));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -173,5 +173,20 @@ TEST(Texture, GoesOnBeyondItsEdges) {
   EXPECT_TRUE(refuses([&] { return filtered(image, {std::nan(""), 0}, {}, {}); }));
 }
 
+// CLAIM      An image has at least one texel, and as many as columns times rows.
+// ORACLE     identity: what breaks the rule, one number each, and what just keeps it.
+// TOLERANCE  none: refusals.
+TEST(Texture, HasTexels) {
+  proves({}, Oracle::identity, "one broken rule each");
+  const auto make = [](int columns, int rows, std::size_t texels) {
+    const TexturePyramid image(columns, rows, std::vector<Eigen::Array3d>(texels, Eigen::Array3d::Ones()));
+  };
+  EXPECT_TRUE(refuses([&] { make(0, 1, 0); }));
+  EXPECT_TRUE(refuses([&] { make(1, 0, 0); }));
+  EXPECT_TRUE(refuses([&] { make(-1, -1, 1); }));
+  EXPECT_TRUE(refuses([&] { make(2, 3, 5); }));
+  EXPECT_NO_THROW(make(1, 1, 1));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <optional>
+#include <utility>
+
 #include "etendue/io/scene_reader.hpp"
 #include "support/evidence.hpp"
 #include "support/process.hpp"
+#include "support/scene_builder.hpp"
 #include "support/single_samples.hpp"
 
 // scenes/highlights: Phong's, Blinn's and the facets' highlights, by both methods.
@@ -67,6 +72,47 @@ TEST(Highlights, DifferAtGrazingIncidence) {
   const Rgb far_phong = peak(grazing, 0), far_facets = peak(grazing, 2);
   EXPECT_TRUE(holds(far_facets[1] > 3 * far_phong[1])) << far_facets.transpose() << " and " << far_phong.transpose();
   EXPECT_TRUE(near(far_facets[0] / far_facets[2], 1.529, 0.05)) << far_facets.transpose();
+}
+
+/// The middle ball alone, lit from behind, with one material.
+Rendering middle_ball(double k_d, double k_s, std::optional<Highlight> highlight) {
+  Scene scene = scene_named("weights.json");
+  scene.lights.erase(scene.lights.begin());
+  std::swap(scene.objects[0], scene.objects[1]);
+  scene.objects.resize(1);
+  Material material = diffuse(k_d);
+  material.k_a = Rgb::Zero();
+  material.k_s = k_s;
+  material.phong_exponent = 32;
+  material.highlight = std::move(highlight);
+  scene.materials.assign(1, material);
+  scene.objects[0].material = 0;
+  return traced_once(scene);
+}
+
+// CLAIM      IU.2.7.1: W(θ) weighs Phong's lobe: with Fresnel's factor the light from behind is mirrored 2.9 times as strongly as
+//            with the constant that suits light from the front.
+// ORACLE     closed form: the same ball's lobe with W = 1, times Fresnel's formulas with sines and tangents of the angles, whose cos θ is
+//            what the ball shows with a matt material. Where the lobe peaks θ is 75.6°, and Fresnel's factor 0.320.
+// TOLERANCE  3e-13: two dozen roundings, and θ's, by which tangents near 90° magnify it 100 times at most: pixels with cos θ > 0.01.
+TEST(Highlights, AreWeighedByTheAngleOfIncidence) {
+  proves({"IU.2.7.1"}, Oracle::closed_form, "Fresnel's sine and tangent formulas times the lobe, pixel by pixel");
+  const Scene scene = scene_named("weights.json");
+  const Material& glass = scene.materials[scene.objects[1].material];
+  const Rendering cosines = middle_ball(1, 0, {}), lobe = middle_ball(0, 1, {}),
+                  weighed = middle_ball(0, glass.k_s, glass.highlight);
+  double brightest = 0, constant = 0;
+  for (std::size_t i = 0; i < lobe.image.pixels.size(); ++i) {
+    const double cosine = cosines.image.pixels[i][0] / 0.8;  // of the light's intensity
+    if (cosines.facts[0].pixels[i][0] < 0 || cosine <= 0.01) continue;
+    const double in = std::acos(cosine), out = std::asin(std::sin(in) / 2);
+    const double s = std::sin(in - out) / std::sin(in + out), p = std::tan(in - out) / std::tan(in + out);
+    const double weight = (s * s + p * p) / 2;
+    EXPECT_TRUE(near(weighed.image.pixels[i][0], weight * lobe.image.pixels[i][0], 3e-13));
+    brightest = std::max(brightest, weighed.image.pixels[i][0]);
+    constant = std::max(constant, 0.111 * lobe.image.pixels[i][0]);
+  }
+  EXPECT_TRUE(holds(brightest > 2.8 * constant && brightest < 3.2 * constant)) << brightest << " beside " << constant;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "etendue/view/facets.hpp"
 #include "support/evidence.hpp"
 #include "support/scene_builder.hpp"
 #include "support/single_samples.hpp"
@@ -36,6 +37,22 @@ TEST(NearPlane, CutsNothingThatIsSeen) {
     }
     EXPECT_TRUE(holds(unlike * 50 <= rays.pixels.size())) << half << ": " << unlike << " of " << rays.pixels.size();
   }
+}
+
+// CLAIM      IU.5.2: a plane through the eye, of which nothing is seen, leaves the rest of the picture as it is.
+// ORACLE     another method: the ray tracer at the same pixels; and the length is positive, as Projection wants.
+// TOLERANCE  as above: 2 % of the pixels.
+TEST(NearPlane, IsBeforeAnEyeInAPlane) {
+  proves({"IU.5.2"}, Oracle::program, "the ray tracer at the same pixels");
+  Scene scene = marble_on_a_floor(10);
+  scene.camera.rows = 41;
+  add(scene, Plane{{0, 0, 0.02}, Vec3::UnitZ()}, diffuse(0.7));
+  EXPECT_TRUE(holds(length_to_see(scene, facets_of(scene, {}).value()) > 0));
+  const Image rays = traced_once(scene).image, drawn = drawn_once(scene, 96);
+  std::uint64_t unlike = 0;
+  for (std::size_t i = 0; i < rays.pixels.size(); ++i)
+    unlike += (rays.pixels[i] - drawn.pixels[i]).abs().maxCoeff() > 1e-9 ? 1u : 0u;
+  EXPECT_TRUE(holds(unlike * 50 <= rays.pixels.size())) << unlike << " of " << rays.pixels.size();
 }
 
 }  // namespace

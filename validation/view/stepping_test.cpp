@@ -40,8 +40,8 @@ Image drawn(const Scene& scene, Shading shading, Stepping stepping) {
   return view_shaded(scene, options).value().image;
 }
 
-// CLAIM      IU.3.2c, IU.3.3, IU.3.4: pictures by one addition a pixel have the bits of the formula on the same multiples, for intensities,
-//            normals and products; and are the pictures by the plain formula but for the rounding to multiples.
+// CLAIM      IU.3.2c, IU.3.3, IU.3.4: pictures whose weights of the corners come by one addition a pixel have the bits of the formula on the same
+//            multiples, made of intensities, normals or products; and are the pictures by the plain formula but for the rounding to multiples.
 // ORACLE     identity: the same picture stepped in both ways, and directly.
 // TOLERANCE  none for the bits. To the plain formula a weight errs by δ, the two bounds for rows of 300 samples times 5 for the depths' ratio. With
 //            |N| ≥ 0.9, the eye above 1.2 and the light above 2 away and corners within 6.5, N moves by 3.4 δ, V by 17 δ, L by 10 δ, so R·V by

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/geometry/vertex_normals.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numbers>
+#include <numeric>
 
 #include "etendue/core/contract.hpp"
 
@@ -32,6 +35,23 @@ double weight_at(const Mesh& mesh, const Corner& corner, NormalWeight weight) {
 std::size_t root(const std::vector<Corner>& around, std::size_t k) {
   while (around[k].group != k) k = around[k].group;
   return k;
+}
+
+/// Of each vertex the first that lies at the same place.
+std::vector<std::uint32_t> first_at_its_place(const std::vector<Vec3>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const auto place = std::weak_order(vertices[a][k], vertices[b][k]);
+      if (place != 0) return place < 0;
+    }
+    return false;
+  };
+  std::stable_sort(order.begin(), order.end(), before);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && !before(order[i - 1], order[i]) ? first[order[i - 1]] : order[i];
+  return first;
 }
 
 double angle_between(const Vec3& a, const Vec3& b) {
@@ -65,13 +85,14 @@ std::vector<Vec3> facet_normals(const Mesh& mesh) {
 std::vector<std::array<Vec3, 3>> corner_normals(const Mesh& mesh, NormalWeight weight, double crease_angle) {
   require(crease_angle >= 0 && crease_angle <= std::numbers::pi, "corner_normals: crease_angle is in [0, pi]");
   const std::vector<Vec3> facets = facet_normals(mesh);
+  const std::vector<std::uint32_t> first = first_at_its_place(mesh.vertices);
   std::vector<std::vector<Corner>> around(mesh.vertices.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (facets[t].isZero(0)) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& ends = mesh.triangles[t];
-      auto& corners = around[ends[k]];
-      corners.push_back({t, k, ends[(k + 1) % 3], ends[(k + 2) % 3], corners.size()});
+      auto& corners = around[first[ends[k]]];
+      corners.push_back({t, k, first[ends[(k + 1) % 3]], first[ends[(k + 2) % 3]], corners.size()});
     }
   }
   std::vector<std::array<Vec3, 3>> result(mesh.triangles.size());

@@ -51,10 +51,11 @@ using Highlight = std::variant<BlinnHighlight, FacetHighlight, FresnelHighlight>
 /// count π, and with k_d + k_s ≤ 1 they reflect no more than arrives. The lobes lack the factor N·L, as 2-7 has them: under
 /// grazing light broad ones do (Phong's of n = 1 at 89°: 12 times), narrow ones do not (n = 100: 6 %). F is the exact factor
 /// of each channel: it colours the highlight of a metal, and whitens it where light grazes.         @eq IU.4.2.3, IU.4.2.2F
-/// Domain    products in [−1, 1], all five of them; exponent ≥ 1, eta and k as for fresnel_conductor()
+/// Domain    products in [−1, 1], all five of them (beyond, by rounding or interpolation, they are cut off); exponent ≥ 1, eta and
+///           k as for fresnel_conductor()
 /// Returns   red, green, blue; zero where N·L ≤ 0 or N·V ≤ 0
 /// Accuracy  of phong(), blinn(), cook_torrance() and fresnel_conductor()
-/// Errors    ContractViolation for values outside the domain
+/// Errors    ContractViolation for exponent, eta or k outside the domain
 [[nodiscard]] Eigen::Array3d directed_reflection(const Highlight& law, const LightCosines& cosines);
 
 }  // namespace etendue
