@@ -27,7 +27,8 @@ enum class NormalWeight {
 ///
 /// Two triangles go on smoothly into each other where they share an edge, wound alike, and their normals differ by
 /// crease_angle at most. Around a vertex, triangles that are joined so, also by way of others, share one normal; across a
-/// crease every side has its own. Vertices at one place are one: they may be given twice, where an image ends. At a crease that ends at a vertex all triangles there are joined around its end.
+/// crease every side has its own. At a crease that ends at a vertex all triangles there are joined around its end. Vertices at
+/// one place are one: they may be given twice, where an image ends.
 ///
 /// Symbols   n_i normals of the triangles, w_i weights
 /// Domain    crease_angle in [0, π] [rad]; π smooths every edge, 0 none but flat ones

@@ -57,6 +57,7 @@ void PhongRun::see(std::size_t light) {
 }
 
 void PhongRun::finish() {
+  if (count_ == 0) return;
   normalize();
   for (std::size_t light = 0; light < shader_.lights(); ++light) see(light);
   for (int i = 0; i < count_; ++i) {
