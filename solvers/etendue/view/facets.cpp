@@ -55,8 +55,7 @@ double length_to_see(const Scene& scene, const std::vector<Facet>& facets) {
   double height = std::numeric_limits<double>::infinity();
   for (const Facet& facet : facets) {
     if (const auto* plane = std::get_if<Plane>(&scene.objects[facet.object].shape)) {
-      const double over = std::abs(plane->normal.dot(scene.camera.eye - plane->point));
-      if (over > 0) height = std::min(height, over);
+      height = std::min(height, std::abs(plane->normal.dot(scene.camera.eye - plane->point)));
     } else {
       for (const Vec3& corner : facet.corners) box.extend(corner);
     }

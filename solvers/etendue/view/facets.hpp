@@ -24,7 +24,7 @@ struct Facet {
 [[nodiscard]] Result<std::vector<Facet>> facets_of(const Scene& scene, const ShadingOptions& options);
 
 /// The diagonal of the box around all that is finite, 1 where nothing is; the eye's height above an infinite plane where that is
-/// less: nothing of a plane is nearer. Of a plane through the eye nothing is seen.
+/// less: nothing of a plane is nearer.
 [[nodiscard]] double length_to_see(const Scene& scene, const std::vector<Facet>& facets);
 
 }  // namespace etendue
