@@ -143,7 +143,8 @@ TEST(Interval, HoldsLogarithmsAndAngles) {
 
 // CLAIM      the bounds are sharp: the width of a function of one double is what its header says.
 // ORACLE     identity: the documented width.
-// TOLERANCE  4 u of the result for + − · / sqrt (two steps of at most two units each), 2 (kElementaryError + 4) u for log and atan.
+// TOLERANCE  4 u of the result for + − · / sqrt (two steps of at most two units each), 2 (kElementaryError + 4) u for log and atan;
+//            an angle is a right or straight one less an atan of at most π/2: 24 u more for the quotient, π and the difference.
 TEST(Interval, StaysNarrow) {
   proves({}, Oracle::identity, "documented widths at points of order one");
   uses_seed(kSeed + 2);
@@ -157,6 +158,9 @@ TEST(Interval, StaysNarrow) {
     }
     ASSERT_TRUE(within(relative(atan(Interval(1 / x))), kFunction));
     ASSERT_TRUE(within(log(Interval(1 + x)).width(), kFunction * std::log(1 + x)));
+    for (const double across : {y, -y, 1 / y, -1 / y}) {
+      ASSERT_TRUE(within(angle(x, across).width(), 2 * kFunction + 24 * kUnitRoundoff));
+    }
   }
 }
 
@@ -179,6 +183,8 @@ TEST(GaussLegendre, IsEnclosedByTheNeighboursOfItsTable) {
     }
   }
   EXPECT_TRUE(all_agree(wrong, decisions));
+  EXPECT_TRUE(refuses([] { return gauss_legendre(0); }));
+  EXPECT_TRUE(refuses([] { return gauss_legendre(kMaxGaussNodes + 1); }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "etendue/form_factor/point_polygon.hpp"
@@ -221,6 +222,20 @@ TEST(PointToDisc, KeepsItsContractAtTheEdges) {
   EXPECT_TRUE(holds(point_to_sphere(o, -up, {{0, 0, 1}, 1}).value == 0));
   EXPECT_TRUE(refuses([&] { (void)point_to_sphere(o, up, {{0, 0, 0.5}, 1}); }));
   EXPECT_TRUE(refuses([&] { (void)point_to_disc(o, Vec3(0, 0, 2), {{0, 0, 1}, -up, 1}); }));
+}
+
+// CLAIM      a disc without extent, or without end, is refused.
+// ORACLE     identity: the domain as documented.
+// TOLERANCE  none.
+TEST(PointToDisc, RefusesWhatIsNoDisc) {
+  proves({}, Oracle::identity, "discs outside the domain");
+  const auto factor = [](double radius) {
+    return point_to_disc(Vec3::Zero(), Vec3::UnitZ(), Disc{{0, 0, 1}, {0, 0, -1}, radius});
+  };
+  EXPECT_TRUE(holds(factor(1).value > 0));
+  for (const double radius : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_TRUE(refuses([&] { return factor(radius); }));
+  }
 }
 
 }  // namespace

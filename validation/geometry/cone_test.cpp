@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "etendue/geometry/cone.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/exact.hpp"
 #include "geometry/families.hpp"
 #include "oracles/line_roots.hpp"
+#include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
@@ -143,6 +145,36 @@ TEST(Cone, RefusesWhatIsNone) {
   EXPECT_TRUE(refuses([&] { (void)intersect(ray, Cone{Vec3::Zero(), Vec3::Zero(), 1, 2}); }));
   EXPECT_TRUE(refuses([&] { (void)intersect(ray, Cone{Vec3::Zero(), Vec3(0, 0, NAN), 1, 2}); }));
   EXPECT_TRUE(refuses([&] { (void)intersect(ray, Cone{Vec3::Zero(), Vec3::UnitZ(), INFINITY, 2}); }));
+}
+
+// CLAIM      a hit's point lies off the cone by at most its surface_error, which is some roundings of the coordinates.
+// ORACLE     program: the distance from the cone's equation, in long double.
+// TOLERANCE  the hit's own surface_error; at most 1e-13 for coordinates below 8.
+TEST(Cone, LiesWithinItsSurfaceError) {
+  proves({}, Oracle::program, "distance from the cone in long double");
+  using Wide = Eigen::Matrix<long double, 3, 1>;
+  const Cone cone{{0.3, -0.2, 0.1}, {1.1, 0.7, 2.3}, 1.25, 0.5};
+  const Wide base = cone.base.cast<long double>(), way = cone.top.cast<long double>() - base, axis = way.normalized();
+  const long double slope = (0.5L - 1.25L) / way.norm();
+  CounterRandom random(20261126);
+  uses_seed(20261126);
+  double worst = 0, largest = 0;
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const auto number = [&] { return 8 * static_cast<double>(random.next() >> 11) * 0x1p-53 - 4; };
+    const Vec3 from(number(), number(), number()), to(0.5 * number(), 0.5 * number(), number());
+    const auto hit = intersect(Ray{from, to - from}, cone);
+    if (!hit) continue;
+    ++hits;
+    const Wide p = hit->point.cast<long double>() - base;
+    const long double height = p.dot(axis),
+                      off = ((p - height * axis).norm() - 1.25L - slope * height) / std::sqrt(1 + slope * slope);
+    worst = std::max(worst, static_cast<double>(std::abs(off)) / hit->surface_error);
+    largest = std::max(largest, hit->surface_error);
+  }
+  EXPECT_TRUE(holds(hits > 200));
+  EXPECT_TRUE(within(worst, 1));
+  EXPECT_TRUE(within(largest, 1e-13));
 }
 
 }  // namespace

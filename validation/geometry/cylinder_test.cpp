@@ -2,6 +2,7 @@
 #include "etendue/geometry/cylinder.hpp"
 
 #include "etendue/core/rounding.hpp"
+#include "etendue/geometry/meeting.hpp"
 #include "geometry/exact.hpp"
 #include "geometry/families.hpp"
 #include "support/evidence.hpp"
@@ -93,6 +94,18 @@ TEST(Cylinder, IsOnlyItsWall) {
   EXPECT_TRUE(holds(inner->normal == Vec3(1, 0, 0))) << "outward from inside, too";
   EXPECT_TRUE(holds(!hit({1, 0, 1}, {1, 0, 0})));
   EXPECT_TRUE(holds(hit({1, 0, 1}, {-1, 0, 0})->t == 2));
+}
+
+// CLAIM      u runs from 0 at the seam up to 1: on the seam itself it is 0.
+// ORACLE     identity: the seam is along the tangent frame's first direction.
+// TOLERANCE  none.
+TEST(Cylinder, BeginsAtItsSeam) {
+  proves({}, Oracle::identity, "hits on the seam");
+  const Cylinder cylinder{{0, 0, 0}, {0, 0, 2}, 1};
+  const Vec3 seam = tangent_frame(Vec3::UnitZ()).u;
+  const auto hit = intersect(Ray{Vec3(0, 0, 0.5) + 3 * seam, -seam}, cylinder);
+  ASSERT_TRUE(hit.has_value());
+  EXPECT_TRUE(holds(hit->uv.x() == 0));
 }
 
 }  // namespace

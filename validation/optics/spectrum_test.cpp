@@ -66,6 +66,8 @@ TEST(Spectrum, IsSeenAsTheDirectSum) {
   }
   EXPECT_TRUE(holds((illuminant(through_table(daylight_d65())).white == 1).all()));
   EXPECT_TRUE(holds(!is_visible({{{300, 1}, {379, 0}}}) && is_visible({{{380, 0}, {385, 1}}})));
+  EXPECT_TRUE(
+      holds(!is_visible({{{380, 1e-320}, {780, 1e-320}}})));  // so faint that white would take an infinite factor
   EXPECT_TRUE(refuses([] { return illuminant({{{300, 1}, {379, 0}}}); }));
   EXPECT_TRUE(refuses([] { return illuminant({{{380, 1}, {500, -1}}}); }));
 }

@@ -47,6 +47,21 @@ int sign_of_difference(const Enclosure& exact, double bound) {
   return arb_gt(exact.x, other.x) != 0 ? 1 : arb_lt(exact.x, other.x) != 0 ? -1 : 0;
 }
 
+constexpr slong kManyBits = 400;
+
+void set(Enclosure& sum, TwoParts parts) {
+  const Dyadic high(parts.high), low(parts.low);
+  Dyadic exact;
+  arf_add(exact.x, high.x, low.x, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arb_set_arf(sum.x, exact.x);
+}
+
+double magnitude(const Enclosure& a) {
+  Dyadic most;
+  arb_get_abs_ubound_arf(most.x, a.x, kBits);
+  return arf_get_d(most.x, ARF_RND_UP);
+}
+
 bool within(const Enclosure& exact, double lower, double upper) {
   return sign_of_difference(exact, lower) > 0 && sign_of_difference(exact, upper) < 0;
 }
@@ -58,6 +73,26 @@ int compare_sum(double a, double b, double bound) {
   Dyadic sum;
   arf_add(sum.x, left.x, right.x, ARF_PREC_EXACT, ARF_RND_DOWN);
   return sign_of_difference(sum, bound);
+}
+
+double relative_error_of_log(TwoParts x, TwoParts result) {
+  Enclosure exact, found;
+  set(exact, x);
+  set(found, result);
+  arb_log(exact.x, exact.x, kManyBits);
+  arb_sub(found.x, found.x, exact.x, kManyBits);
+  arb_div(found.x, found.x, exact.x, kManyBits);
+  return magnitude(found);
+}
+
+double error_of_angle(TwoParts y, TwoParts x, TwoParts result) {
+  Enclosure up, across, found;
+  set(up, y);
+  set(across, x);
+  set(found, result);
+  arb_atan2(up.x, up.x, across.x, kManyBits);
+  arb_sub(found.x, found.x, up.x, kManyBits);
+  return magnitude(found);
 }
 
 int compare_product(double a, double b, double bound) {

@@ -17,6 +17,15 @@ int compare_angle(double y, double x, double bound);
 /// Sign of (π − bound).
 int compare_pi(double bound);
 
+/// The exact sum of two doubles.
+struct TwoParts {
+  double high, low;
+};
+/// |result/ln x − 1|, rounded up; balls of 400 bits. ln x is not zero.
+double relative_error_of_log(TwoParts x, TwoParts result);
+/// |result − angle of (x, y)|, rounded up; balls of 400 bits.
+double error_of_angle(TwoParts y, TwoParts x, TwoParts result);
+
 /// The k-th node (or weight) of the n-point Gauss-Legendre rule lies within [lower, upper].
 bool legendre_node_within(int n, int k, double lower, double upper);
 bool legendre_weight_within(int n, int k, double lower, double upper);

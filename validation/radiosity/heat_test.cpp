@@ -81,6 +81,30 @@ TEST(Heat, ShieldsStandInSeries) {
   EXPECT_TRUE(near(shielded->temperature(1), std::pow(between / kPrintedSigma, 0.25), 1e-9 * hot));
 }
 
+// CLAIM      IU.6-7: the bound holds where reflections multiply every error: between plates that absorb down to a hundred-millionth.
+// ORACLE     closed form: q_1 = (E_1 − E_2)/(1/ε_1 + 1/ε_2 − 1) from the emissive powers themselves.
+// TOLERANCE  the returned bound, and the closed form's own roundings: 4 of E_1 in the powers, 8 of the result. The bound is worth
+//            something: below 1e-6 of the flux of one plate alone, though the errors are multiplied by up to 1/ε.
+TEST(Heat, BoundsWhatNearlyWhitePlatesMultiply) {
+  proves({"IU.6-7"}, Oracle::closed_form, "nearly white plates: 400 pairs of emissivities");
+  const DenseFactors facing(matrix(2, {0, 1, 1, 0}));
+  double used = 0, loose = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 20; ++j) {
+      const double first = std::pow(10, -8 + 0.37 * i), second = std::pow(10, -8 + 0.37 * j + 0.011 * i);
+      const auto found = exchange_heat(facing, {held(first, 700), held(second, 300)});
+      ASSERT_TRUE(found.ok()) << found.error().message;
+      const double hot = found->emissive_power(0), cold = found->emissive_power(1);
+      const double parts = 1 / first + 1 / second - 1, expected = (hot - cold) / parts;
+      const double rounding = (4 * hot / parts + 8 * expected) * kUnitRoundoff;
+      used = std::max(used, std::abs(found->net_flux(0) - expected) / (found->net_flux_bound(0) + rounding));
+      loose = std::max(loose, found->net_flux_bound(0) / (first * hot));
+    }
+  }
+  EXPECT_TRUE(within(used, 1));
+  EXPECT_TRUE(within(loose, 1e-6));
+}
+
 // CLAIM      IU.6-7, IU.6-9: an insulated wall re-radiates: between two black plates and an insulated surround the exchange is
 //            that of the two resistances side by side; a prescribed flux gives back the temperature that causes it.
 // ORACLE     closed form: q_1 = σ (T_1⁴ − T_2⁴)(1 − F_12²)/(2 − 2 F_12) for equal plates; the first solve for the second.

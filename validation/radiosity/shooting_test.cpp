@@ -228,5 +228,17 @@ TEST(AmbientTerm, RefusesAMeanReflectanceOfOne) {
   EXPECT_TRUE(apart(1 / (1 - 1.0), sum, 1)) << "1/(1 − 1) as printed";
 }
 
+// CLAIM      the brightest unshot patch is asked of as many areas as patches, and of one patch at least.
+// ORACLE     identity: the domain as documented.
+// TOLERANCE  none.
+TEST(Shooting, RefusesAreasThatDoNotFit) {
+  proves({}, Oracle::identity, "areas that do not fit");
+  const ShootingState two = before_shooting(Eigen::MatrixXd::Ones(2, 1)), none = before_shooting(Eigen::MatrixXd(0, 1));
+  EXPECT_TRUE(holds(brightest_unshot(two, Eigen::Vector2d(1, 2)) == 1));
+  EXPECT_TRUE(refuses([&] { return brightest_unshot(two, Eigen::Vector3d(1, 2, 3)); }));
+  EXPECT_TRUE(refuses([&] { return brightest_unshot(two, Eigen::VectorXd::Ones(1)); }));
+  EXPECT_TRUE(refuses([&] { return brightest_unshot(none, Eigen::VectorXd(0)); }));
+}
+
 }  // namespace
 }  // namespace etendue::validation

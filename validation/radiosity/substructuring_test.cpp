@@ -116,5 +116,20 @@ TEST(Substructuring, OneValueAPatchIsEnoughFarAway) {
   EXPECT_TRUE(apart(by_elements(1, 0.5), oracle::parallel_plates(2, 2), 0.01)) << "near by it is wrong";
 }
 
+// CLAIM      radiosities of elements need a factor for every patch, an emission and a reflectance for every element.
+// ORACLE     identity: the domain as documented.
+// TOLERANCE  none.
+TEST(Substructuring, RefusesSizesThatDoNotFit) {
+  proves({}, Oracle::identity, "sizes that do not fit");
+  const auto solve = [](Eigen::Index patches, Eigen::Index emissions, Eigen::Index reflectances) {
+    return element_radiosities(Eigen::MatrixXd::Constant(3, 2, 0.25), Eigen::VectorXd::Ones(emissions),
+                               Eigen::VectorXd::Constant(reflectances, 0.5), Eigen::VectorXd::Ones(patches));
+  };
+  EXPECT_TRUE(holds(solve(2, 3, 3) == Eigen::VectorXd::Constant(3, 1.25)));
+  EXPECT_TRUE(refuses([&] { return solve(3, 3, 3); }));
+  EXPECT_TRUE(refuses([&] { return solve(2, 4, 3); }));
+  EXPECT_TRUE(refuses([&] { return solve(2, 3, 4); }));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -324,5 +324,15 @@ TEST(Bump, KeepsMirroredRaysOutside) {
   EXPECT_TRUE(all_agree(inside, 1000));
 }
 
+// CLAIM      a random relief has a column and a row at least.
+// ORACLE     identity: the domain as documented.
+// TOLERANCE  none.
+TEST(Bump, RefusesReliefsWithoutExtent) {
+  proves({}, Oracle::identity, "reliefs outside the domain");
+  EXPECT_TRUE(holds(random_relief(1, 1, 1, 7).rows == 1));
+  EXPECT_TRUE(refuses([] { return random_relief(0, 1, 1, 7); }));
+  EXPECT_TRUE(refuses([] { return random_relief(1, 0, 1, 7); }));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -171,7 +171,9 @@ Result<HeatExchange> completed(const FormFactors& factors, const std::vector<Gre
     }
     result.temperature(i) = temperature(result.emissive_power(i));
     result.radiosity_bound(i) = bound.scale * bound.weights(i) * (1 + gamma);
-    result.net_flux_bound(i) = (wrong + gamma * (result.emissive_power(i) + std::abs(irradiance))) * (1 + gamma);
+    // ε (E − H), or ε ε'/(ε + ε') (H' − H), where ε'/(ε + ε') H' is at most E.
+    const double terms = wrong + gamma * (result.emissive_power(i) + std::abs(irradiance));
+    result.net_flux_bound(i) = emissivity * terms * (1 + gamma);
     if (std::holds_alternative<NetFlux>(patch.given)) result.net_flux_bound(i) = 0;
   }
   return result;
