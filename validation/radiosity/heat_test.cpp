@@ -105,6 +105,34 @@ TEST(Heat, BoundsWhatNearlyWhitePlatesMultiply) {
   EXPECT_TRUE(within(loose, 1e-6));
 }
 
+// CLAIM      IU.6-7: the same through a thin sheet whose sides are nearly white.
+// ORACLE     closed form: q_1 = (E_1 − E_4)/(1/ε_1 + 1/ε_2 − 1 + 1/ε_3 + 1/ε_4 − 1) from the emissive powers of the plates.
+// TOLERANCE  the returned bounds, and the closed form's own roundings: 4 of E_1 in the powers, 12 of the result. The bound of the
+//            sheet's flux is worth something: below 1e-6 of what the plate alone gives off.
+TEST(Heat, BoundsWhatNearlyWhiteSheetsMultiply) {
+  proves({"IU.6-7"}, Oracle::closed_form, "a nearly white sheet between plates: 144 pairs of emissivities");
+  const DenseFactors one(matrix(4, {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0}));
+  double used = 0, loose = 0;
+  for (int i = 0; i < 12; ++i) {
+    for (int j = 0; j < 12; ++j) {
+      const double left = std::pow(10, -7 + 0.55 * i), right = std::pow(10, -7 + 0.55 * j + 0.017 * i);
+      const auto found =
+          exchange_heat(one, {held(0.9, 700), {left, SheetWith{2}}, {right, SheetWith{1}}, held(0.8, 300)});
+      ASSERT_TRUE(found.ok()) << found.error().message;
+      const double hot = found->emissive_power(0), parts = 1 / 0.9 + 1 / left - 1 + 1 / right + 1 / 0.8 - 1;
+      const double expected = (hot - found->emissive_power(3)) / parts;
+      const double rounding = (4 * hot / parts + 12 * expected) * kUnitRoundoff;
+      for (const Eigen::Index side : {1, 2}) {
+        const double flux = side == 1 ? -expected : expected, bound = found->net_flux_bound(side);
+        used = std::max(used, std::abs(found->net_flux(side) - flux) / (bound + rounding));
+        loose = std::max(loose, bound / (std::min(left, right) * hot));
+      }
+    }
+  }
+  EXPECT_TRUE(within(used, 1));
+  EXPECT_TRUE(within(loose, 1e-6));
+}
+
 // CLAIM      IU.6-7, IU.6-9: an insulated wall re-radiates: between two black plates and an insulated surround the exchange is
 //            that of the two resistances side by side; a prescribed flux gives back the temperature that causes it.
 // ORACLE     closed form: q_1 = σ (T_1⁴ − T_2⁴)(1 − F_12²)/(2 − 2 F_12) for equal plates; the first solve for the second.

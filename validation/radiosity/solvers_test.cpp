@@ -242,6 +242,21 @@ TEST(Solvers, GiveTheSameBitsHoweverBlocksAreScheduled) {
   EXPECT_GT(most_blocks, 8);
 }
 
+// CLAIM      IU.6-7: conjugate directions are conjugate: n of them are enough for n patches, but for rounding.
+// ORACLE     identity: the method ends after n steps in exact arithmetic.
+// TOLERANCE  three steps more; steepest descent needs hundreds on such an equation.
+TEST(Solvers, ConjugateGradientsNeedNoMoreStepsThanPatches) {
+  proves({"IU.6-7"}, Oracle::identity, "finite termination, 20 rooms of 4 to 23 patches");
+  uses_seed(kSeed + 9);
+  CounterRandom random(kSeed + 9);
+  for (Eigen::Index n = 4; n < 24; ++n) {
+    const auto solution =
+        solve_radiosity(dyadic_equation(random, n, 1, 0.99), goal(RadiositySolver::conjugate_gradients, 1e-11));
+    ASSERT_TRUE(solution.ok() && solution->status == RadiosityStatus::reached) << n;
+    EXPECT_TRUE(within(static_cast<double>(solution->steps), static_cast<double>(n + 3)));
+  }
+}
+
 // CLAIM      IU.6-7, IU.6-12: every solver does the same to watts as to 2^±500 of them, and to square metres as to 2^±400: the
 //            same bits, scaled.
 // ORACLE     metamorphic: powers of two.
