@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "etendue/form_factor/certified_area.hpp"
 #include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
 #include "oracles/parallel_plates.hpp"
@@ -206,6 +207,27 @@ TEST(CertifiedFormFactor, KnowsNoUnitAndOwnsUpToItsLimits) {
   const Polygon patch = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(refuses([&] { (void)certified_form_factor(patch, patch, to_relative(-1)); }));
   EXPECT_TRUE(refuses([&] { (void)certified_form_factor(patch, patch, CertifiedGoal{{1e-9, 0}, 0}); }));
+}
+
+// CLAIM      the enclosure by samples holds the closed form, and counts its work onto what was spent before.
+// ORACLE     closed form: 2π A F of parallel squares of side 1 at the distance d = 10 is between the greatest and the least value of the
+//            kernel 2 d²/r⁴, at r = d and r² = d² + 2.
+// TOLERANCE  none.
+TEST(EnclosedArea, CountsItsWork) {
+  proves({}, Oracle::closed_form, "parallel squares far apart");
+  const auto square = [](double z, bool up) {
+    EnclosedOutline outline;
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(1.0, 1.0), std::pair(0.0, 1.0)}) {
+      outline.push_back(up ? Interval3(Vec3(x, y, z)) : Interval3(Vec3(y, x, z)));
+    }
+    return outline;
+  };
+  std::int64_t work = 1000;
+  const auto found = enclosed_area(square(0, true), square(10, false), 1e-12, 1000000, work);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(holds(work > 1000));
+  EXPECT_TRUE(holds(found->upper <= 2.0 / 100 && found->lower >= 200.0 / (102.0 * 102.0) && found->width() < 1e-10));
+  EXPECT_TRUE(holds(!enclosed_area(square(0, true), square(10, false), 1e-12, 1, work)));
 }
 
 }  // namespace

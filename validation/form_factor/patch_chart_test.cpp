@@ -190,6 +190,16 @@ TEST(PatchChart, CoversWhatSeesTheBall) {
       EXPECT_TRUE(near(area_of_charts(charts), 2 * half * 2, 12 * kSummed));
     }
   }
+  EXPECT_TRUE(near(area_of_charts(PatchChart::covering(cylinder, {0, 0, 5}, 0.5)), 4 * kPi, 12 * kSummed))
+      << "on the axis";
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const Vec3 towards(scale * 3, 0, scale);
+    const Cylinder scaled{Vec3::Zero(), {0, 0, 2 * scale}, scale};
+    for (const PatchChart& chart : PatchChart::covering(scaled, towards, 0.5 * scale)) {
+      const PatchSpot spot = chart.at(0.5, 0.5);
+      EXPECT_TRUE(holds((towards - spot.point).dot(spot.normal) > -0.5 * scale)) << scale;
+    }
+  }
   const double distance = 3, size = 0.5, cosine = (1 - size) / distance;
   const auto charts = PatchChart::covering(Sphere{{0, 0, 0}, 1}, {0, distance * 0.6, distance * 0.8}, size);
   EXPECT_TRUE(near(area_of_charts(charts), 2 * kPi * (1 - cosine), 12 * kSummed));

@@ -115,5 +115,39 @@ TEST(PointToPolygon, RefusesPointsThatAreNotFinite) {
   }
 }
 
+// CLAIM      IU.6-2: the factor knows no unit of length: scaled by a power of two it has the same bits.
+// ORACLE     metamorphic: powers of two up to 2^±190: coordinates end at 2^200.
+// TOLERANCE  none.
+TEST(PointToPolygon, KnowsNoUnit) {
+  proves({"IU.6-2"}, Oracle::metamorphic, "points and polygons times powers of two");
+  const std::vector<Vec3> corners{{-0.5, -0.3, 1}, {-0.4, 0.9, 1.1}, {0.7, 0.8, 1.3}};
+  const Vec3 point(0.1, -0.2, 0.05), normal = Vec3(0.2, 0.1, 1).normalized();
+  const Bounded plain = point_to_polygon(point, normal, polygon(corners));
+  ASSERT_GT(plain.value, 0.01);
+  for (const int power : {-190, -60, 60, 190}) {
+    std::vector<Vec3> scaled;
+    for (const Vec3& v : corners) scaled.push_back(std::ldexp(1.0, power) * v);
+    const Bounded found = point_to_polygon(std::ldexp(1.0, power) * point, normal, polygon(scaled));
+    EXPECT_TRUE(holds(found.value == plain.value && found.bound == plain.bound)) << power;
+  }
+}
+
+// CLAIM      G12: a unit normal is one but for the roundings of its making, past blockers, too.
+// ORACLE     identity: normalized vectors whose squares are not 1.
+// TOLERANCE  none.
+TEST(PointToPolygon, AcceptsNormalizedNormals) {
+  proves({"G12"}, Oracle::identity, "normalized vectors, past a blocker");
+  const Polygon seen = rectangle({-0.5, -0.5, 1}, {0, 1, 0}, {1, 0, 0});
+  const std::vector<Polygon> blockers{rectangle({0, 0, 0.5}, {0.2, 0, 0}, {0, 0.2, 0})};
+  int inexact = 0;
+  for (int i = 1; i < 60; ++i) {
+    const Vec3 normal = Vec3(0.01 * i, 0.3 - 0.007 * i, 1).normalized();
+    inexact += normal.squaredNorm() != 1;
+    EXPECT_TRUE(holds(visible_point_to_polygon(Vec3::Zero(), normal, seen, blockers).value > 0.05));
+  }
+  EXPECT_GT(inexact, 5);
+  EXPECT_TRUE(refuses([&] { return visible_point_to_polygon(Vec3::Zero(), Vec3(0, 0, 1.001), seen, blockers); }));
+}
+
 }  // namespace
 }  // namespace etendue::validation

@@ -162,5 +162,14 @@ TEST(Transparency, RefusesWhatIsNotInItsDomain) {
   EXPECT_TRUE(all_agree(accepted([] { return see_through(Rgb::Zero(), Rgb::Zero(), 1.5); }), 1));
 }
 
+// CLAIM      transparencies run anywhere from 0 to 1, both included.
+// ORACLE     identity: the ends of the ranges.
+// TOLERANCE  none.
+TEST(Transparency, RunsFromNothingToAll) {
+  proves({}, Oracle::identity, "ranges at the ends of the domain");
+  const TransparencyRange all{0, 1}, half{0.5, 0.5};
+  EXPECT_TRUE(holds(transparency(0, all) == 0 && transparency(1, all) == 1 && transparency(0.5, half) == 0.5));
+}
+
 }  // namespace
 }  // namespace etendue::validation

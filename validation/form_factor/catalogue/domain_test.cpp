@@ -150,6 +150,10 @@ TEST(Catalogue, RefusesWhatIsOutsideItsDomain) {
             "element-sphere: h = 1 (distance of the centre): expected h >= r, the element outside the sphere");
   EXPECT_EQ(message("B-13", {1e7, 1, 1}),
             "B-13: a = 1e+07 (distance of the element from the axis): expected at most 1e+06 times h, which is 1");
+  EXPECT_EQ(message("element-sphere-cut", {-0.5, 2, 1}), "accepted");
+  EXPECT_NE(message("element-sphere-cut", {-1.5, 3, 1}).find("expected h > -r"), std::string::npos);
+  EXPECT_EQ(message("strip-long-cylinder", {1, 0.5, 1}), "accepted");
+  EXPECT_NE(message("strip-long-cylinder", {0.9, 0.5, 1}).find("expected a >= r"), std::string::npos);
   EXPECT_TRUE(all_agree(wrong, decided));
 }
 
