@@ -85,6 +85,9 @@ TEST(PatchChart, SharesOutWhatIsFree) {
   EXPECT_TRUE(near(area_of_charts(PatchChart::covering(square, above, 1, cuts)), 16 - covered, 16 * kSummed));
   cuts.footprints = {Footprint{{at(0.5, 0.5), at(1.5, 0.5), at(1, 1.5)}, Vec3::Zero(), 0}, circle(-0.5, 0, 0.5)};
   EXPECT_TRUE(near(area_of_charts(PatchChart::covering(square, above, 1, cuts)), 16 - 0.5 - 0.25 * kPi, 16 * kSummed));
+  cuts.footprints = {circle(-0.5, 0, 1),
+                     circle(0.71, 0, 0.2)};  // a hundredth apart: the cut between them has no choice
+  EXPECT_TRUE(near(area_of_charts(PatchChart::covering(square, above, 1, cuts)), 16 - 1.04 * kPi, 16 * kSummed));
   const Disc disc{at(0, 0), (at(0, 0) - tilted(Vec3(0, 0, -1))).normalized(), 2};
   EXPECT_TRUE(near(area_of_charts(PatchChart::covering(disc, above, 1)), 4 * kPi, 4 * kPi * kSummed));
   cuts.footprints = {circle(0.7, 0, 0.5), circle(-0.6, 0.2, 0.6)};
