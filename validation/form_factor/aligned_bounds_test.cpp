@@ -7,6 +7,7 @@
 #include "etendue/form_factor/aligned_pairs.hpp"
 #include "etendue/form_factor/difference_rule.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
+#include "etendue/form_factor/polygon_polygon.hpp"
 #include "form_factor/shapes.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
@@ -91,6 +92,36 @@ TEST(AlignedBounds, FollowFromTheNearestPoints) {
   EXPECT_TRUE(all_agree(below, judged));
   EXPECT_GT(judged, pairs / 2);
   EXPECT_GT(steeper, judged / 4) << "where distance and distance off the line are alike, centres would do";
+}
+
+// CLAIM      IU.6-3: the sums over aligned pairs are the factors, within the plan's bound: by themselves, where factor rows would
+//            go on to another method if a sum came out wrong.
+// ORACLE     form_factor() of boundaries at 1e-12, which knows no rule for aligned pairs.
+// TOLERANCE  the plan's bound and that of the truth.
+TEST(AlignedBounds, HoldTheSumsThemselves) {
+  constexpr std::uint64_t kSeed = 20261130;
+  proves({"IU.6-3"}, Oracle::program, "form_factor() of boundaries at 1e-12, 400 pairs");
+  uses_seed(kSeed);
+  CounterRandom random(kSeed);
+  std::uint64_t wrong = 0, judged = 0, perpendicular = 0;
+  for (int k = 0; k < 400; ++k) {
+    const double a = random.scale(0.2, 1), b = random.scale(0.2, 1), c = k % 3 == 0 ? random.scale(0.2, 1) : a;
+    const double x = random.between(-2, 2), away = random.scale(0.3, 4), up = random.scale(0.05, 2);
+    const Polygon from = rectangle({0, 0, 0}, {a, 0, 0}, {0, b, 0});
+    const bool opposite = k % 2 == 0;
+    const Polygon to = opposite ? rectangle({x, away, up + 0.3}, {0, b, 0}, {a, 0, 0})
+                                : rectangle({x, b + away, up}, {c, 0, 0}, {0, 0, b});
+    AlignedPlan plan = planned(from, to, random.scale(1e-10, 1e-3));
+    if (plan.key[0] == AlignedPlan::kNone) continue;
+    sum_aligned(plan.lanes, plan.key[0], k % 5 == 0);
+    const Bounded truth = form_factor(Boundary{from.vertices()}, Boundary{to.vertices()}, {1e-12, 0});
+    wrong += std::abs(plan.lanes.total[0] - truth.value) <= plan.bound[0] + truth.bound ? 0u : 1u;
+    perpendicular += opposite ? 0u : 1u;
+    ++judged;
+  }
+  EXPECT_TRUE(all_agree(wrong, judged));
+  EXPECT_GT(perpendicular, 100u);
+  EXPECT_GT(judged - perpendicular, 100u);
 }
 
 }  // namespace
