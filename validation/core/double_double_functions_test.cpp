@@ -17,13 +17,9 @@ constexpr int kParts =
     64;  // of [0, 1]: every entry of the tables, which go by thirty-seconds, and every middle between two
 constexpr int kEach = 24;  // arguments near each of them
 
-double uniform(CounterRandom& random) {
-  return static_cast<double>(random.next() >> 11) * 0x1p-53;
-}
-
 /// A number of the leading digits, and any digits after them.
 DoubleDouble continued(double high, CounterRandom& random) {
-  return {high, high * (uniform(random) - 0.5) * 0x1p-53};
+  return {high, high * (random.unit() - 0.5) * 0x1p-53};
 }
 
 // CLAIM      the logarithm in twice the digits errs by at most the documented bound, for every entry of its table, with and
@@ -37,7 +33,7 @@ TEST(DoubleDoubleFunctions, LogarithmKeepsItsBound) {
   double worst = 0;
   for (int part = 0; part <= kParts; ++part) {
     for (int i = 0; i < kEach; ++i) {
-      const double m = 0.70 + 0.72 * (part + 0.5 * uniform(random)) / kParts;
+      const double m = 0.70 + 0.72 * (part + 0.5 * random.unit()) / kParts;
       const int exponent = i % 3 == 0 ? 0 : static_cast<int>(random.next() % 1900) - 950;
       const DoubleDouble x = continued(std::ldexp(m, exponent), random), result = log(x);
       worst = std::max(worst, oracle::relative_error_of_log({x.high, x.low}, {result.high, result.low}));
@@ -59,9 +55,9 @@ TEST(DoubleDoubleFunctions, AngleKeepsItsBound) {
   double worst = 0;
   for (int part = 0; part <= kParts; ++part) {
     for (int i = 0; i < kEach; ++i) {
-      const double size = std::ldexp(1 + uniform(random), static_cast<int>(random.next() % 800) - 400);
+      const double size = std::ldexp(1 + random.unit(), static_cast<int>(random.next() % 800) - 400);
       const double share =
-          i == 0 ? static_cast<double>(part) / kParts : std::min(1.0, (part + 0.5 * uniform(random)) / kParts);
+          i == 0 ? static_cast<double>(part) / kParts : std::min(1.0, (part + 0.5 * random.unit()) / kParts);
       const DoubleDouble longer = continued(size, random), shorter = continued(size * share, random);
       const bool steep = (i & 1) != 0;
       const DoubleDouble y = steep ? longer : shorter, across = steep ? shorter : longer,

@@ -36,10 +36,9 @@ class EdgePairs {
   }
 
  private:
-  double number() { return 2 * static_cast<double>(random_.next() >> 11) * 0x1p-53 - 1; }
   Point point(double size) {
-    const double x = number(), y = number(), z = number();
-    return {size * x, size * y, size * z};
+    const double x = random_.between(-size, size), y = random_.between(-size, size), z = random_.between(-size, size);
+    return {x, y, z};
   }
   CounterRandom random_{kSeed};
   int count_ = 0;

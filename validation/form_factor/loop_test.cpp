@@ -50,14 +50,13 @@ TEST(ConvexPieces, ShareOutAPolygon) {
   constexpr std::uint64_t kSeed = 20261128;
   uses_seed(kSeed);
   CounterRandom random(kSeed);
-  const auto unit = [&] { return static_cast<double>(random.next() >> 11) * 0x1p-53; };
   std::uint64_t wrong = 0;
   constexpr std::uint64_t kPolygons = 2000;
   for (std::uint64_t i = 0; i < kPolygons; ++i) {
     const int n = 4 + static_cast<int>(i % 9);
     std::vector<Vec3> corners;
     for (int k = 0; k < n; ++k) {
-      const double angle = 2 * std::numbers::pi * (k + 0.8 * unit()) / n, reach = 0.1 + unit();
+      const double angle = 2 * std::numbers::pi * (k + 0.8 * random.unit()) / n, reach = 0.1 + random.unit();
       corners.push_back({reach * std::cos(angle), reach * std::sin(angle), 0});
     }
     if (i % 10 == 0) {  // a comb, whose teeth stand before one another's ears
@@ -65,10 +64,10 @@ TEST(ConvexPieces, ShareOutAPolygon) {
                  {6, 0, 0},
                  {6, 5, 0},
                  {5, 1, 0},
-                 {4, 5 * unit() + 1, 0},
+                 {4, 5 * random.unit() + 1, 0},
                  {3, 1, 0},
                  {2, 5, 0},
-                 {1, 0.5 + unit(), 0},
+                 {1, 0.5 + random.unit(), 0},
                  {0, 5, 0}};
     }
     const double whole = signed_area(corners), rounding = 1e-14 * std::abs(whole);

@@ -127,14 +127,13 @@ TEST(FlatPart, MeetsTheCirclesThatReachIt) {
   proves({}, Oracle::program, "distances from sampled outlines, 600 circles");
   uses_seed(20261127);
   CounterRandom random(20261127);
-  const auto number = [&](double most) { return most * (2 * static_cast<double>(random.next() >> 11) * 0x1p-53 - 1); };
   std::uint64_t wrong = 0, judged = 0;
   const std::vector<Vec2> corners{{-1, -0.8}, {1.2, -0.5}, {0.9, 0.7}, {-0.3, 1.1}};
   const Vec2 normal(0.6, 0.8);
   const double rim = 1.2, offset = 0.4;
   const std::pair<FlatPart, FlatPart> cut = FlatPart::disc(rim).split(normal, offset);
   for (int i = 0; i < 600; ++i) {
-    const Vec2 centre(number(3), number(3));
+    const Vec2 centre(random.between(-3, 3), random.between(-3, 3));
     const bool bounded = i % 3 == 0, far_side = i % 3 == 1;
     const FlatPart part = bounded ? FlatPart::polygon(corners) : far_side ? cut.first : cut.second;
     const double half = std::sqrt(rim * rim - offset * offset);

@@ -161,7 +161,7 @@ TEST(Cone, LiesWithinItsSurfaceError) {
   double worst = 0, largest = 0;
   int hits = 0;
   for (int i = 0; i < 2000; ++i) {
-    const auto number = [&] { return 8 * static_cast<double>(random.next() >> 11) * 0x1p-53 - 4; };
+    const auto number = [&] { return random.between(-4, 4); };
     const Vec3 from(number(), number(), number()), to(0.5 * number(), 0.5 * number(), number());
     const auto hit = intersect(Ray{from, to - from}, cone);
     if (!hit) continue;

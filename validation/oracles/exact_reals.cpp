@@ -75,26 +75,6 @@ int compare_sum(double a, double b, double bound) {
   return sign_of_difference(sum, bound);
 }
 
-double relative_error_of_log(TwoParts x, TwoParts result) {
-  Enclosure exact, found;
-  set(exact, x);
-  set(found, result);
-  arb_log(exact.x, exact.x, kManyBits);
-  arb_sub(found.x, found.x, exact.x, kManyBits);
-  arb_div(found.x, found.x, exact.x, kManyBits);
-  return magnitude(found);
-}
-
-double error_of_angle(TwoParts y, TwoParts x, TwoParts result) {
-  Enclosure up, across, found;
-  set(up, y);
-  set(across, x);
-  set(found, result);
-  arb_atan2(up.x, up.x, across.x, kManyBits);
-  arb_sub(found.x, found.x, up.x, kManyBits);
-  return magnitude(found);
-}
-
 int compare_product(double a, double b, double bound) {
   const Dyadic left(a), right(b);
   Dyadic product;
@@ -137,6 +117,26 @@ int compare_pi(double bound) {
   Enclosure x;
   arb_const_pi(x.x, kBits);
   return sign_of_difference(x, bound);
+}
+
+double relative_error_of_log(TwoParts x, TwoParts result) {
+  Enclosure exact, found;
+  set(exact, x);
+  set(found, result);
+  arb_log(exact.x, exact.x, kManyBits);
+  arb_sub(found.x, found.x, exact.x, kManyBits);
+  arb_div(found.x, found.x, exact.x, kManyBits);
+  return magnitude(found);
+}
+
+double error_of_angle(TwoParts y, TwoParts x, TwoParts result) {
+  Enclosure up, across, found;
+  set(up, y);
+  set(across, x);
+  set(found, result);
+  arb_atan2(up.x, up.x, across.x, kManyBits);
+  arb_sub(found.x, found.x, up.x, kManyBits);
+  return magnitude(found);
 }
 
 bool legendre_node_within(int n, int k, double lower, double upper) {

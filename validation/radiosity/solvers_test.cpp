@@ -244,7 +244,7 @@ TEST(Solvers, GiveTheSameBitsHoweverBlocksAreScheduled) {
 
 // CLAIM      IU.6-7: conjugate directions are conjugate: n of them are enough for n patches, but for rounding.
 // ORACLE     identity: the method ends after n steps in exact arithmetic.
-// TOLERANCE  three steps more; steepest descent needs hundreds on such an equation.
+// TOLERANCE  three steps more, for what rounding takes from conjugacy.
 TEST(Solvers, ConjugateGradientsNeedNoMoreStepsThanPatches) {
   proves({"IU.6-7"}, Oracle::identity, "finite termination, 20 rooms of 4 to 23 patches");
   uses_seed(kSeed + 9);
