@@ -228,6 +228,8 @@ TEST(EnclosedArea, CountsItsWork) {
   EXPECT_TRUE(holds(work > 1000));
   EXPECT_TRUE(holds(found->upper <= 2.0 / 100 && found->lower >= 200.0 / (102.0 * 102.0) && found->width() < 1e-10));
   EXPECT_TRUE(holds(!enclosed_area(square(0, true), square(10, false), 1e-12, 1, work)));
+  work = 0;
+  EXPECT_TRUE(holds(!enclosed_area(square(0, true), square(0, false), 1e-3, 1000000, work) && work == 0)) << "touching";
 }
 
 }  // namespace

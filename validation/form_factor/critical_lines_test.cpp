@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/cell.hpp"
 #include "etendue/form_factor/event_curves.hpp"
+#include "etendue/form_factor/loop_sides.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
@@ -65,6 +68,41 @@ TEST(CriticalLines, EndWhereTheLineOfSightMissesTheReceiver) {
   EXPECT_TRUE(holds(!listed(4)));
 }
 
+// CLAIM      IU.6-4: such an event ends where its line of sight leaves the receiver, whichever way its line runs; it is not listed where
+//            the zone is wholly before that stretch, or wholly behind.
+// ORACLE     closed form: past the corner (1/2, 1/2, 1/4) the eye at (1/2, y, 0) sees the edge x = 1/2 at height 1/2 up to its corner for
+//            y from 1/2 on, and beyond it (1/2, 2 − 3y, 1): in the receiver to y = 2/3. The same mirrored in both axes.
+// TOLERANCE  4 u: two products and a quotient of numbers below 2.
+TEST(CriticalLines, BeginAndEndAtTheReceiver) {
+  proves({"IU.6-4"}, Oracle::closed_form, "two plates one above the other, a receiver of a quarter");
+  const std::vector<Vec3> lower{{0.25, 0.25, 0.25}, {0.5, 0.25, 0.25}, {0.5, 0.5, 0.25}, {0.25, 0.5, 0.25}};
+  const std::vector<Vec3> upper{{0.5, 0.25, 0.5}, {0.8, 0.25, 0.5}, {0.8, 0.5, 0.5}, {0.5, 0.5, 0.5}};
+  const std::vector<Vec3> receiver{{0, 0, 1}, {0, 0.25, 1}, {1, 0.25, 1}, {1, 0, 1}};
+  constexpr double kBegin = 0.5, kEnd = 2.0 / 3, kRounding = 4 * kUnitRoundoff;
+  for (const bool mirror_x : {false, true}) {
+    for (const bool mirror_y : {false, true}) {
+      const auto mirrored = [&](std::vector<Vec3> loop) {
+        for (Vec3& v : loop) v = {mirror_x ? 1 - v.x() : v.x(), mirror_y ? 1 - v.y() : v.y(), v.z()};
+        if (mirror_x != mirror_y) std::reverse(loop.begin(), loop.end());
+        return loop;
+      };
+      const auto listed = [&](double low, double high) {
+        const double y_0 = mirror_y ? 1 - high : low, y_1 = mirror_y ? 1 - low : high;
+        const SightZone zone{{{0, y_0}, {1, y_0}, {1, y_1}, {0, y_1}}, {mirrored(lower), mirrored(upper)}, false};
+        const std::vector<CriticalLine> lines = critical_lines(mirrored(receiver), zone);
+        return std::any_of(lines.begin(), lines.end(), [&](const CriticalLine& line) {
+          if (line.normal.y() != 0 || line.level / line.normal.x() != 0.5) return false;
+          double a = line.begin / line.normal.x(), b = line.end / line.normal.x();
+          if (mirror_y) a = 1 - a, b = 1 - b;
+          return std::abs(std::min(a, b) - kBegin) <= kRounding && std::abs(std::max(a, b) - kEnd) <= kRounding;
+        });
+      };
+      EXPECT_TRUE(holds(listed(0, 1) && listed(0.6, 1) && listed(0, 0.6))) << mirror_x << mirror_y;
+      EXPECT_TRUE(holds(!listed(0, 0.45) && !listed(0.7, 1))) << mirror_x << mirror_y;
+    }
+  }
+}
+
 // CLAIM      IU.6-4: two upright edges one behind the other cover one another at once, as seen from the plane through both:
 //            the line is listed although the receiver is seen only past the lower parts of them, not past their corners.
 // ORACLE     closed form: edges over (0.5, 0.5) and (0.75, 0.25), from height 1/32 to 2: the line x + y = 1.
@@ -84,6 +122,37 @@ TEST(CriticalLines, CountParallelEdgesByTheirWholeLength) {
     return line.normal.x() == line.normal.y() && line.level / line.normal.x() == 1 && line.begin < at && at < line.end;
   });
   EXPECT_TRUE(holds(listed)) << lines.size() << " lines";
+}
+
+// CLAIM      IU.6-4: a cell that a line only touches is not cut: along an edge, at a corner, aside, the other half is empty.
+// ORACLE     identity: a square under six lines.
+// TOLERANCE  none.
+TEST(CriticalLines, CutOffNothingWhereTheyTouch) {
+  proves({"IU.6-4"}, Oracle::identity, "a square and lines along its edges and through its corners");
+  Cell square;
+  for (const Vec2& v : kFloor) square.add(v);
+  const auto sizes = [&](const Vec2& normal, double level) {
+    const Cell::Halves halves = square.cut(normal, level);
+    return std::pair(halves.above.size(), halves.below.size());
+  };
+  EXPECT_TRUE(holds(sizes({1, 0}, 0.5) == std::pair(4, 4) && sizes({1, -1}, 0) == std::pair(3, 3)));
+  EXPECT_TRUE(holds(sizes({1, 0}, 0) == std::pair(4, 0) && sizes({1, 0}, 1) == std::pair(0, 4)));
+  EXPECT_TRUE(holds(sizes({1, 1}, 0) == std::pair(4, 0) && sizes({1, 1}, 2) == std::pair(0, 4)));
+  EXPECT_TRUE(holds(sizes({1, 0}, -1) == std::pair(4, 0) && sizes({1, 0}, 3) == std::pair(0, 4)));
+}
+
+// CLAIM      IU.6-4: loops that lie beside one another from all of a zone are told apart, loops that cover one another are not.
+// ORACLE     identity: plates in a row, plates one over the other, a receiver over both.
+// TOLERANCE  none.
+TEST(LoopSides, TellLoopsApart) {
+  proves({"IU.6-4"}, Oracle::identity, "four plates below a ceiling");
+  const auto plate = [](double x, double height) {
+    return std::vector<Vec3>{{x, 0.4, height}, {x + 0.1, 0.4, height}, {x + 0.1, 0.5, height}, {x, 0.5, height}};
+  };
+  const SightZone zone{{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}, {plate(0.1, 0.3), plate(0.8, 0.3), plate(0.45, 0.3), plate(0.45, 0.5)}, false};
+  LoopSides sides(kCeiling, zone);
+  EXPECT_TRUE(holds(sides.apart(1, 2) && sides.apart(2, 1) && sides.apart(1, 3)));
+  EXPECT_TRUE(holds(!sides.apart(3, 4) && !sides.apart(0, 3) && !sides.apart(4, 0)));
 }
 
 // CLAIM      IU.6-4: however many lines are drawn through a zone, the cells between them fill it, and no line passes
@@ -133,6 +202,18 @@ TEST(EventCurves, VanishWhereOneLineOfSightMeetsThreeEdges) {
   for (const Vec2& v : {Vec2(0.125, 0), Vec2(0.5, 0), Vec2(0.25, 1)}) aside.add(v);
   EXPECT_TRUE(holds(curve.may_cross(across)));
   EXPECT_TRUE(holds(!curve.may_cross(aside)));
+  EXPECT_TRUE(holds(curve == EventCurve(ruling(0.25), ruling(0.5), ruling(1)) && !(curve == none)));
+  for (const double unit : {0x1p-60, 0x1p60}) {  // it knows no unit of length
+    const auto scaled = [&](double z) {
+      const EventCurve::Edge edge = ruling(z);
+      return EventCurve::Edge{unit * edge.start, unit * edge.end};
+    };
+    const EventCurve larger(scaled(0.25), scaled(0.5), scaled(1));
+    Cell larger_across, larger_aside;
+    for (const Vec2& v : across.corners()) larger_across.add(unit * v);
+    for (const Vec2& v : aside.corners()) larger_aside.add(unit * v);
+    EXPECT_TRUE(holds(larger.may_cross(larger_across) && !larger.may_cross(larger_aside))) << unit;
+  }
   EXPECT_TRUE(holds(!none.may_cross(across)));
 }
 

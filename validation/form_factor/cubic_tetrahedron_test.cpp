@@ -83,6 +83,11 @@ TEST(CubicTetrahedron, ExactFactorsKeepTheirBound) {
     const double truth = exact(r, &size);
     const Bounded factor = cubic_tetrahedron_factor(r);
     EXPECT_TRUE(near(factor.value, truth, factor.bound + gamma_bound(4) * size));
+    const Bounded top = hemicube_top_factor(r);
+    const Bounded y = hemicube_side_factor({r.from_x, r.to_x, std::abs(r.from_y), std::abs(r.to_y)});
+    const Bounded x = hemicube_side_factor({r.from_y, r.to_y, std::abs(r.from_x), std::abs(r.to_x)});
+    // No sum of three is known better than its terms and two roundings of it.
+    EXPECT_TRUE(holds(factor.bound * std::numbers::sqrt3 >= top.bound + x.bound + y.bound + 2 * kUnitRoundoff * size));
   }
   const auto error = [&](double h) {
     double size = 0;

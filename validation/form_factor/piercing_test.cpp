@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,29 @@ TEST(FormFactor, TellsFrontFromBehindAtAnyDistance) {
   }
   const Bounded backs = form_factor(floor, rectangle({-0.5, -0.5, 0}, {0, 1, 0}, {1, 0, 0}));
   EXPECT_TRUE(within(backs.value + backs.bound, 0)) << "the two sides of one surface";
+}
+
+// CLAIM      IU.6-3: what is behind, or the other side of the same surface, is known to be unseen also in a frame that rounds all corners,
+//            whichever corner comes first.
+// ORACLE     identity: F = 0.
+// TOLERANCE  none, of the bound either.
+TEST(FormFactor, IsExactlyNothingBehindInAnyFrame) {
+  proves({"G12", "IU.6-3"}, Oracle::identity, "60 tilted sheets and patches behind them");
+  std::uint64_t wrong = 0;
+  constexpr std::uint64_t kSheets = 60;
+  for (std::uint64_t k = 0; k < kSheets; ++k) {
+    const double size = 0.3 + 0.07 * static_cast<double>(k), x = 0.1 * static_cast<double>(k % 7);
+    const Polygon sheet = tilted(rectangle({x, 0.2, 0.7}, {size, 0, 0}, {0, 0.6 * size, 0}));
+    const Polygon behind = tilted(rectangle({x + 0.1, 0, 0.7 - 0.3 * size}, {0, size, 0}, {size, 0, 0.2 * size}));
+    std::vector<Vec3> corners = sheet.vertices();
+    std::reverse(corners.begin(), corners.end());
+    std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(k % 4), corners.end());
+    for (const Polygon& other : {polygon(corners), behind}) {
+      const Bounded there = form_factor(sheet, other), back = form_factor(other, sheet);
+      wrong += there.value + there.bound != 0 || back.value + back.bound != 0 ? 1u : 0u;
+    }
+  }
+  EXPECT_TRUE(all_agree(wrong, 2 * kSheets));
 }
 
 // CLAIM      IU.6.2: patches of one wall in a frame that rounds them exchange nothing, and the bound knows it.

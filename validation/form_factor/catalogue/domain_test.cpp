@@ -145,6 +145,9 @@ TEST(Catalogue, RefusesWhatIsOutsideItsDomain) {
     const auto refused = catalogue::form_factor(*catalogue::find(id), values);
     return refused.ok() ? std::string("accepted") : refused.error().message;
   };
+  EXPECT_EQ(message("element-sphere-cut", {-2, 5, 1}).find("element-sphere-cut: h = -2"), 0u) << "below the horizon";
+  EXPECT_EQ(message("strip-long-cylinder", {1, 2, 1}), "accepted") << "the cylinder touches the horizon";
+  EXPECT_EQ(message("strip-long-cylinder", {0.5, 2, 1}).find("strip-long-cylinder: a = 0.5"), 0u);
   EXPECT_EQ(message("C-11", {1, 1, 1e-7}), "C-11: c = 1e-07 (distance): expected at least a/1e+06, where a = 1");
   EXPECT_EQ(message("element-sphere", {1, 2}),
             "element-sphere: h = 1 (distance of the centre): expected h >= r, the element outside the sphere");
