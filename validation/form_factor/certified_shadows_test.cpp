@@ -106,6 +106,33 @@ TEST(CertifiedObstruction, AddsUpOverTheTwoPartsOfAScreen) {
   EXPECT_TRUE(all_agree(missed, decisions));
 }
 
+// CLAIM      IU.6-4: where a corner of one plate lies on an edge of another, exactly, the enclosure closes in as if they were one, wherever
+//            the edge lies: around the origin too.
+// ORACLE     metamorphic: the same scene moved by dyadic numbers; identity: the plates as one polygon with the outline of both.
+// TOLERANCE  none for the inclusion; the goal for the width.
+TEST(CertifiedObstruction, ClosesInWhereACornerLiesOnAnEdge) {
+  proves({"IU.6-4"}, Oracle::metamorphic, "a narrow plate on the side of a wide one, in three places");
+  constexpr double kGoal = 1e-5;
+  const auto factor = [](const Vec3& by, bool as_one) {
+    const Polygon floor = rectangle(Vec3(-0.5, -0.5, -0.5) + by, {1, 0, 0}, {0, 1, 0});
+    const Polygon ceiling = rectangle(Vec3(-0.5, -0.5, 0.5) + by, {0, 1, 0}, {1, 0, 0});
+    const std::vector<Polygon> two{rectangle(Vec3(-0.25, -0.25, 0) + by, {0.5, 0, 0}, {0, 0.25, 0}),
+                                   rectangle(Vec3(-0.125, 0, 0) + by, {0.25, 0, 0}, {0, 0.25, 0})};
+    std::vector<Vec3> outline{{-0.25, -0.25, 0}, {0.25, -0.25, 0}, {0.25, 0, 0},   {0.125, 0, 0},
+                              {0.125, 0.25, 0},  {-0.125, 0.25, 0}, {-0.125, 0, 0}, {-0.25, 0, 0}};
+    for (Vec3& v : outline) v += by;
+    const std::vector<Polygon> one{polygon(outline)};
+    return certified_form_factor(floor, ceiling, as_one ? one : two, to_relative(kGoal));
+  };
+  const Interval together = factor({0.75, 0.5, 0.5}, true).factor;
+  for (const Vec3& by : {Vec3(0, 0, 0), Vec3(0.75, 0.5, 0.5), Vec3(-0.25, 0.125, 0)}) {
+    const CertifiedFactor found = factor(by, false);
+    EXPECT_TRUE(holds(found.reached)) << by.transpose();
+    EXPECT_TRUE(within(0.5 * found.factor.width(), kGoal * found.factor.middle())) << by.transpose();
+    EXPECT_TRUE(holds(found.factor.lower <= together.upper && together.lower <= found.factor.upper)) << by.transpose();
+  }
+}
+
 /// One blocker between the plates: floating, standing on the floor, hanging, from floor to ceiling, touching an edge,
 /// touching a corner.
 Polygon random_blocker(std::mt19937_64& random, int family) {

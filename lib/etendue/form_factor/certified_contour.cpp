@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "etendue/form_factor/certified_decay.hpp"
 #include "etendue/form_factor/gauss_legendre.hpp"
 
 namespace etendue {
@@ -16,17 +17,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Below this ellipse parameter halving the interval is cheaper than adding nodes.
 constexpr double kNarrowEllipse = 1.7;
-/// The deformed path keeps this share of the way to the branch point of the crossing lines.
-constexpr double kBranchClearance = 0.7;
-/// Up to this sine, of the order of rounding, lines count as parallel, at a price.
-constexpr double kParallel = 0x1p-46;
 constexpr int kMaxNodes = 20;
 
-/// Two edges: the outer starts at the origin, the inner at `start`.
-struct Edges {
-  Interval3 outer, inner;
-  Interval3 start, end;
-  Interval outer_length, inner_length, inner_square;
+struct Edges : EnclosedEdges {
   double largest = 0;  ///< ∫ |ln r| along the inner edge is below, from any point of the outer one
 };
 
@@ -57,92 +50,6 @@ Interval inner_integral(const Edges& e, const Interval3& p) {
   return sum / e.inner_square;
 }
 
-/// Distances from both ends of a piece of the outer edge.
-struct FocalSum {
-  Interval value, slope;
-};
-
-FocalSum focal_sum(const Edges& e, const Interval3& a, const Interval3& b, double t) {
-  const Interval3 point = e.start + Interval(t) * e.inner;
-  const Interval3 from_a = point - a, from_b = point - b;
-  const Interval ra = norm(from_a), rb = norm(from_b);
-  const auto slope = [&](const Interval3& way, const Interval& r) {
-    // |way · inner| ≤ r |inner|
-    const Interval steepest(-e.inner_length.upper, e.inner_length.upper);
-    return r.lower > 0 ? dot(way, e.inner) / r : steepest;
-  };
-  return {ra + rb, slope(from_a, ra) + slope(from_b, rb)};
-}
-
-/// Where on the inner edge, about, the focal sum is least: the mirror point of the two ends' heights above its line.
-double least_at(const Edges& e, const Vec3& a, const Vec3& b) {
-  const Vec3 origin = e.start.middle(), along = e.inner.middle();
-  const double square = along.squaredNorm();
-  const double foot_a = (a - origin).dot(along) / square, foot_b = (b - origin).dot(along) / square;
-  const double height_a = (a - origin - foot_a * along).norm(), height_b = (b - origin - foot_b * along).norm();
-  const double sum = height_a + height_b;
-  const double t = sum > 0 ? (foot_a * height_b + foot_b * height_a) / sum : 0.5 * (foot_a + foot_b);
-  return std::isfinite(t) ? std::clamp(t, 0.0, 1.0) : 0.5;
-}
-
-/// |a_k| ≤ (2/k) weight ρ^(−k) for the inner integral along a piece; `extra` bounds what was changed to make it so.
-struct Decay {
-  double rho = 1;
-  double weight = 1;
-  double extra = 0;
-};
-
-Decay bent_path(const Edges& e, const Interval3& a, const Interval3& b, const Interval& length, double plain_rho) {
-  const Interval3 normal = cross(e.outer, e.inner);
-  const Interval sine = norm(normal) / (e.outer_length * e.inner_length);
-  const Interval normal_square = square(normal);
-  const bool parallel = sine.upper <= kParallel || !(normal_square.lower > 0);
-  // Lines that are parallel but for rounding (of cuts, too) count as parallel: the points of the inner edge move across the outer line
-  // by at most `moved`, ∫ ln r by 2π times that at every node and in the integral (NOTES.md §10).
-  const Interval moved = parallel ? sine * e.inner_length : Interval();
-  const Interval ends =
-      min(norm(e.start - a) + norm(e.start - b), norm(e.end - a) + norm(e.end - b)) - Interval(2) * moved;
-  double rho = certain_ellipse(ends / length);
-  if (rho <= plain_rho) return {};
-  Interval slope(1), extra;
-  if (parallel) {
-    constexpr double kAlmostOne = 1 + 0x1p-40;  // the moved edge is shorter by the cosine of that angle
-    slope = kAlmostOne;
-    extra = Interval(4) * pi() * moved * kAlmostOne / e.inner_length;
-  } else {
-    const Interval3 gap = e.start - a;
-    // In units of length along the outer line, from the middle of the piece.
-    const Interval height = abs(dot(gap, normal)) * e.outer_length * e.inner_length / normal_square;
-    const Interval half = Interval(0.5) * length;
-    const Interval foot = dot(cross(gap, e.inner), normal) / normal_square * e.outer_length - half;
-    const Interval branch_axis =
-        (sqrt(square(foot - half) + square(height)) + sqrt(square(foot + half) + square(height))) / length;
-    const double branch = certain_ellipse(branch_axis);
-    rho = std::min(rho, 1 + kBranchClearance * (branch - 1));
-    if (!(rho > 1) || rho <= plain_rho) return {};
-    const Interval clearance =
-        Interval(0.5) * half * (Interval(branch) - rho) * (Interval(1) - Interval(1) / (Interval(branch) * rho));
-    if (!(clearance.lower > 0)) return {};
-    slope = Interval(1) + sine * sqrt(Interval(1) + height / clearance);
-  }
-  const Interval weight =
-      Interval(1) + Interval(0.25) * pi() * length * (Interval(rho) + Interval(1) / rho) * slope / e.inner_length;
-  return {rho, weight.upper, extra.upper};
-}
-
-Decay decay_along(const Edges& e, const Interval3& a, const Interval3& b, const Interval& length) {
-  const double t = least_at(e, a.middle(), b.middle());
-  const FocalSum there = focal_sum(e, a, b, t);
-  // Convex: the tangent lies below, whatever its slope.
-  const double falls =
-      std::min({0.0, (there.slope.lower * (Interval(1) - t)).lower, (-there.slope.upper * Interval(t)).lower});
-  const Interval least = max(Interval((there.value + Interval(falls)).lower), Interval(length.lower));
-  const Decay plain{certain_ellipse(least / length), 1, 0};
-  if (plain.rho >= kNarrowEllipse) return plain;
-  const Decay bent = bent_path(e, a, b, length, plain.rho);
-  return bent.rho > plain.rho ? bent : plain;
-}
-
 /// ∫_0^1 ds of the inner integral, over pieces of the outer edge that are halved towards its singularities.
 class EdgeIntegral {
  public:
@@ -163,7 +70,7 @@ class EdgeIntegral {
     const Interval3 a = Interval(from) * e_.outer, b = Interval(to) * e_.outer;
     const Interval length = Interval(share) * e_.outer_length;
     if (work_ < budget_ && share > smallest_) {
-      const Decay decay = decay_along(e_, a, b, length);
+      const CertifiedDecay decay = decay_along({a, b, length});
       if (decay.rho >= kNarrowEllipse && add_gauss(from, to, decay)) return;
       const double middle = 0.5 * (from + to);
       ++work_;
@@ -174,7 +81,14 @@ class EdgeIntegral {
     left_ = above(left_ + above(share * e_.largest));
   }
 
-  bool add_gauss(double from, double to, const Decay& decay) {
+  CertifiedDecay decay_along(const EnclosedPiece& piece) const {
+    const CertifiedDecay plain = certified_plain_decay(e_, piece);
+    if (plain.rho >= kNarrowEllipse) return plain;
+    const CertifiedDecay bent = certified_bent_decay(e_, piece);
+    return bent.rho > plain.rho ? bent : plain;
+  }
+
+  bool add_gauss(double from, double to, const CertifiedDecay& decay) {
     const double share = to - from, half = 0.5 * share, middle = 0.5 * (from + to);
     int n = 2;
     double truncation = 0;
@@ -227,14 +141,7 @@ double largest_logarithm(double farthest, const Interval& length) {
 }
 
 Edges edges(const Interval3& a, const Interval3& b, const Interval3& c, const Interval3& d) {
-  Edges e;
-  e.outer = b - a;
-  e.inner = d - c;
-  e.start = c - a;
-  e.end = d - a;
-  e.outer_length = norm(e.outer);
-  e.inner_square = square(e.inner);
-  e.inner_length = sqrt(e.inner_square);
+  Edges e{enclosed_edges(a, b, c, d)};
   const Interval reach = max(max(norm(e.start), norm(e.end)), max(norm(c - b), norm(d - b)));
   e.largest = largest_logarithm(reach.upper, e.inner_length);
   return e;
@@ -247,16 +154,6 @@ Interval negligible(const Edges& e) {
   const double bound = (e.outer_length * Interval(2) * reach * (Interval(3) + abs(log(reach)))).upper;
   return {-bound, bound};
 }
-
-}  // namespace
-
-double certain_ellipse(const Interval& semi_axis) {
-  const Interval a(semi_axis.lower);
-  if (!(a.lower > 1)) return 1;
-  return std::max(1.0, (a + sqrt((a - 1.0) * (a + 1.0))).lower);
-}
-
-namespace {
 
 Interval power_bound(int n, double rho) {
   const Interval inverse = Interval(1) / (Interval(rho) * rho);

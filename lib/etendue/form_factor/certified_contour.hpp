@@ -25,7 +25,4 @@ namespace etendue {
 [[nodiscard]] double certain_logarithmic_truncation(int n, double rho);
 [[nodiscard]] double certain_analytic_truncation(int n, double rho);
 
-/// Lower bound on the parameter of the Bernstein ellipse with that semi-axis.
-[[nodiscard]] double certain_ellipse(const Interval& semi_axis);
-
 }  // namespace etendue
