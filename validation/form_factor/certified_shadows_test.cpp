@@ -106,6 +106,32 @@ TEST(CertifiedObstruction, AddsUpOverTheTwoPartsOfAScreen) {
   EXPECT_TRUE(all_agree(missed, decisions));
 }
 
+// CLAIM      IU.6-4: a plate a hair in front of a corner of the receiver hides that corner, whichever corners are named first; a plate as
+//            near to its plane but beside it takes nothing.
+// ORACLE     identity: what is left is a pentagon; no blocker there.
+// TOLERANCE  1e-9 relatively for the width, the goal; the gap of 2^-44 lets pass less than 1e-12.
+TEST(CertifiedObstruction, SeesPlatesAHairInFront) {
+  proves({"IU.6-4"}, Oracle::identity, "a triangle over one corner of a square: twelve orders of corners");
+  constexpr double kHair = 0x1p-44, kGap = 1e-12;
+  const auto relative = to_relative(1e-6);
+  const Polygon pentagon = polygon({{0, 0.25, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}, {0.25, 0, 1}});
+  const Interval rest = certified_form_factor(kFloor, pentagon).factor, whole = certified_form_factor(kFloor, kCeiling).factor;
+  for (std::ptrdiff_t turn = 0; turn < 12; ++turn) {
+    std::vector<Vec3> square = kCeiling.vertices();
+    std::rotate(square.begin(), square.begin() + turn % 4, square.end());
+    for (const bool beside : {false, true}) {
+      const double x = beside ? -0.5 : 0;
+      std::vector<Vec3> corner{{x - 0.25, -0.25, 1 - kHair}, {x + 0.5, -0.25, 1 - kHair}, {x - 0.25, 0.5, 1 - kHair}};
+      std::rotate(corner.begin(), corner.begin() + turn / 4, corner.end());
+      const std::vector<Polygon> plate{polygon(corner)};
+      const Interval found = certified_form_factor(kFloor, polygon(square), plate, relative).factor;
+      const Interval& expected = beside ? whole : rest;
+      EXPECT_TRUE(holds(found.lower - kGap <= expected.upper && expected.lower <= found.upper + kGap)) << turn << beside;
+      EXPECT_TRUE(within(found.width(), 0.1 * found.middle())) << turn << beside;
+    }
+  }
+}
+
 // CLAIM      IU.6-4: where a corner of one plate lies on an edge of another, exactly, the enclosure closes in as if they were one, wherever
 //            the edge lies: around the origin too.
 // ORACLE     metamorphic: the same scene moved by dyadic numbers; identity: the plates as one polygon with the outline of both.

@@ -11,6 +11,7 @@
 
 #include "etendue/core/rounding.hpp"
 #include "etendue/form_factor/cell.hpp"
+#include "etendue/form_factor/chord.hpp"
 #include "etendue/form_factor/event_curves.hpp"
 #include "etendue/form_factor/loop_sides.hpp"
 #include "support/evidence.hpp"
@@ -215,6 +216,32 @@ TEST(EventCurves, VanishWhereOneLineOfSightMeetsThreeEdges) {
     EXPECT_TRUE(holds(larger.may_cross(larger_across) && !larger.may_cross(larger_aside))) << unit;
   }
   EXPECT_TRUE(holds(!none.may_cross(across)));
+}
+
+// CLAIM      IU.6-4: a curve's chord through a cell joins the two places where it crosses the cell's boundary; a side that it only touches
+//            is not crossed, and without two crossings there is none.
+// ORACLE     closed form: rulings of x² + y² − z² = 1, whose curve is the unit circle.
+// TOLERANCE  4 u for what roots round, 400 u for a difference quotient over hundredths. The sag is value over slope: (1 − h²)/(2h) for a
+//            chord at the height h, here as a share of its length.
+TEST(EventCurves, HaveChordsBetweenTwoCrossings) {
+  proves({"IU.6-4"}, Oracle::closed_form, "the unit circle in cells that it touches and crosses");
+  const EventCurve circle({{1, 1, 1}, {1, 2, 2}}, {{-1, 1, 1}, {-2, 1, 2}}, {{-1, -1, 1}, {-1, -2, 2}});
+  const auto cell = [](double low, double high) {
+    Cell made;
+    for (const Vec2& v : {Vec2(-0.5, low), Vec2(0.5, low), Vec2(0.5, high), Vec2(-0.5, high)}) made.add(v);
+    return made;
+  };
+  constexpr double kHeight = 0.875, kRounding = 4 * kUnitRoundoff;
+  for (const double high : {1.0, 1.25}) {
+    const auto chord = chord_of(circle, cell(kHeight, high));
+    ASSERT_TRUE(chord) << high;
+    EXPECT_TRUE(near(chord->length, 2 * std::sqrt(1 - kHeight * kHeight), kRounding));
+    EXPECT_TRUE(near(chord->level / chord->normal.y(), kHeight, kRounding));
+    const double square = 1 - kHeight * kHeight;
+    EXPECT_TRUE(near(chord->sag, square / (2 * kHeight) / (2 * std::sqrt(square)), kRounding * 100)) << "a difference quotient";
+  }
+  EXPECT_TRUE(holds(!chord_of(circle, cell(1, 1.25)) && !chord_of(circle, cell(1.125, 1.25)))) << "touched, missed";
+  EXPECT_TRUE(holds(!chord_of(circle, cell(-1.5, 1.5)).has_value())) << "four crossings";
 }
 
 /// Three rulings of x = y z, whose curve is the y axis.

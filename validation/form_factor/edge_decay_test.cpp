@@ -117,14 +117,15 @@ TEST(EdgeDecay, BoundsTheCoefficients) {
   EXPECT_TRUE(within(worst, kRounding));
 }
 
-/// Nearly parallel edges of lengths near one, whose lines cross at a small sine above one of them.
-std::pair<Segment, Segment> nearly_parallel(CounterRandom& random) {
-  const double sine = random.scale(2e-9, 1e-6), height = 0.3 * sine * random.unit();
+/// Nearly parallel edges of length one, whose lines cross, or pass one another nearly as close, before or beyond the outer one.
+std::pair<Segment, Segment> nearly_parallel(CounterRandom& random, bool cross_each_other) {
+  const double sine = random.scale(2e-9, 1e-6), height = cross_each_other ? 0 : 0.3 * sine * random.unit();
   const double turn = random.between(0, 2 * std::numbers::pi), tilt = random.unit();
   // A frame with roundings in every coordinate.
   const Point u{std::cos(turn) * std::cos(tilt), std::sin(turn) * std::cos(tilt), std::sin(tilt)};
   const Point v{-std::sin(turn), std::cos(turn), 0}, w = cross(u, v);
-  const double at = random.between(-0.2, 1.2), from = random.between(1.5, 3);  // where the lines are nearest; the inner edge begins
+  const double beside = random.between(-0.5, 0.5), at = beside < 0 ? beside : 1 + beside;  // where the lines are nearest
+  const double from = random.between(1.5, 3);
   const auto inner = [&](double x) { return x * u + (sine * (x - at)) * v + height * w; };
   const Point origin{random.unit(), random.unit(), random.unit()};
   return {make_edge(origin, origin + u), make_edge(origin + inner(from), origin + inner(from + 1))};
@@ -162,7 +163,7 @@ TEST(EdgeDecay, CountsWhatIsNotKnownOfTheCrossing) {
   long double above = 0;
   int judged = 0;
   for (int pair = 0; pair < 4 * kPairs; ++pair) {
-    const auto [outer, inner] = nearly_parallel(random);
+    const auto [outer, inner] = nearly_parallel(random, pair % 2 == 0);
     const Decay bent = bent_decay(outer, inner);
     if (!(bent.rho > 1)) continue;
     ++judged;
