@@ -7,6 +7,7 @@
 #include "etendue/core/rounding.hpp"
 #include "etendue/reflectance/ambient.hpp"
 #include "etendue/reflectance/attenuation.hpp"
+#include "etendue/reflectance/cosines.hpp"
 #include "etendue/reflectance/phong.hpp"
 #include "optics/incidence.hpp"
 #include "reflectance/colour.hpp"
@@ -66,6 +67,34 @@ TEST(LocalReflection, IsTheFormulaOfTheAnglesSummedOverTheLights) {
       expected += intensity / (distance + d0) * (surface.k_d * std::cos(theta) + surface.k_s * lobe);
     }
     EXPECT_TRUE(within(difference(local_reflection(surface, n, v, ambient_light, lights), expected), tolerance));
+  }
+}
+
+// CLAIM      IU.3.4, IU.2.2: from scalar products a surface reflects what it does from the vectors, without a highlight of its own too, and
+//            matt ones; a light behind adds nothing.
+// ORACLE     metamorphic: local_reflection() of the vectors.
+// TOLERANCE  phong_error(n) for each, with 14 u n for the products, and 8 u for sums of numbers below four, times three lights.
+TEST(LocalReflection, IsTheSameFromScalarProducts) {
+  proves({"IU.3.4", "IU.2.2"}, Oracle::metamorphic, "local_reflection() of 500 times three lights");
+  uses_seed(2503);
+  Directions random(2503);
+  for (int i = 0; i < 500; ++i) {
+    LocalReflection surface;
+    surface.k_a = surface.k_d = Rgb(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    surface.k_s = i % 4 == 0 ? 0 : random.uniform(0, 1);
+    surface.exponent = random.integer(1, 100);
+    const Vec3 n = random.unit(), v = random.unit();
+    std::vector<IncidentLight> lights;
+    std::vector<LightCosines> cosines;
+    std::vector<Rgb> intensities;
+    for (int light = 0; light < 3; ++light) {
+      lights.push_back({random.unit(), Rgb(random.uniform(0, 4), random.uniform(0, 4), random.uniform(0, 4)), 1});
+      cosines.push_back(light_cosines(n, lights.back().to_light, v));
+      intensities.push_back(lights.back().intensity);
+    }
+    const Rgb expected = local_reflection(surface, n, v, Rgb(0.2, 0.3, 0.4), lights);
+    const double tolerance = 3 * 4 * (2 * phong_error(surface.exponent) + 14 * u * surface.exponent + 8 * u);
+    EXPECT_TRUE(within(difference(reflection_of_cosines(surface, Rgb(0.2, 0.3, 0.4), cosines, intensities), expected), tolerance));
   }
 }
 
