@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "etendue/core/rounding.hpp"
+#include "etendue/form_factor/certified_contour.hpp"
 #include "etendue/form_factor/edge_decay.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
@@ -91,7 +93,8 @@ TEST(CertifiedDecay, TakesPiecesForEdges) {
     Corners pair = corners(random, k);
     const EnclosedEdges whole = pair.enclosed();
     const double from = 0.25 * (k % 4), to = from + 0.25;
-    const EnclosedPiece piece{Interval(from) * whole.outer, Interval(to) * whole.outer, Interval(0.25) * whole.outer_length};
+    const EnclosedPiece piece{Interval(from) * whole.outer, Interval(to) * whole.outer,
+                              Interval(0.25) * whole.outer_length};
     const Vec3 way = pair.b - pair.a;
     const Corners own{pair.a + from * way, pair.a + to * way, pair.c, pair.d};
     if (norm(cross(own.outer().direction, own.inner().direction)) < 1e-2) continue;
@@ -126,6 +129,31 @@ TEST(CertifiedDecay, MakesParallelsParallel) {
     EXPECT_TRUE(near(bent.weight, weight, 1e-12 + 2 * 0x1p-40)) << turn;
     EXPECT_TRUE(holds(bent.extra >= 4 * 3.14159 * turn * 2 / 2 && bent.extra <= 1e-13)) << bent.extra;
   }
+}
+
+// CLAIM      what n nodes miss is bounded by (32/15)/n ρ^(−2n)/(1 − ρ^(−2)) where the coefficients fall like (2/k) ρ^(−k), by 2n times
+//            that where a function is below 1 on the ellipse; nothing is known without an ellipse.
+// ORACLE     closed form: NOTES.md §2, in doubles.
+// TOLERANCE  1e-13 from above: intervals of a few dozen roundings; none from below but the oracle's 8 u.
+TEST(CertifiedDecay, BoundsWhatNodesMiss) {
+  proves({}, Oracle::closed_form, "the bounds of Gauss's rules in doubles");
+  const auto alike = [](double bound, double formula) {
+    return bound >= formula * (1 - 8 * kUnitRoundoff) && bound <= formula * (1 + 1e-13);
+  };
+  std::uint64_t wrong = 0, bounds = 0;
+  for (int n = 1; n <= 20; ++n) {
+    for (const double rho : {1.25, 2.0, 4.5}) {
+      double power = 1;
+      for (int k = 0; k < 2 * n; ++k) power /= rho;
+      const double rest = power / (1 - 1 / (rho * rho));
+      wrong += alike(certain_logarithmic_truncation(n, rho), 32.0 / 15 / n * rest) ? 0u : 1u;
+      wrong += alike(certain_analytic_truncation(n, rho), 64.0 / 15 * rest) ? 0u : 1u;
+      bounds += 2;
+    }
+    EXPECT_TRUE(
+        holds(std::isinf(certain_logarithmic_truncation(n, 1)) && std::isinf(certain_analytic_truncation(n, 1))));
+  }
+  EXPECT_TRUE(all_agree(wrong, bounds));
 }
 
 }  // namespace

@@ -115,7 +115,8 @@ TEST(CertifiedObstruction, SeesPlatesAHairInFront) {
   constexpr double kHair = 0x1p-44, kGap = 1e-12;
   const auto relative = to_relative(1e-6);
   const Polygon pentagon = polygon({{0, 0.25, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}, {0.25, 0, 1}});
-  const Interval rest = certified_form_factor(kFloor, pentagon).factor, whole = certified_form_factor(kFloor, kCeiling).factor;
+  const Interval rest = certified_form_factor(kFloor, pentagon).factor,
+                 whole = certified_form_factor(kFloor, kCeiling).factor;
   for (std::ptrdiff_t turn = 0; turn < 12; ++turn) {
     std::vector<Vec3> square = kCeiling.vertices();
     std::rotate(square.begin(), square.begin() + turn % 4, square.end());
@@ -126,7 +127,8 @@ TEST(CertifiedObstruction, SeesPlatesAHairInFront) {
       const std::vector<Polygon> plate{polygon(corner)};
       const Interval found = certified_form_factor(kFloor, polygon(square), plate, relative).factor;
       const Interval& expected = beside ? whole : rest;
-      EXPECT_TRUE(holds(found.lower - kGap <= expected.upper && expected.lower <= found.upper + kGap)) << turn << beside;
+      EXPECT_TRUE(holds(found.lower - kGap <= expected.upper && expected.lower <= found.upper + kGap))
+          << turn << beside;
       EXPECT_TRUE(within(found.width(), 0.1 * found.middle())) << turn << beside;
     }
   }
@@ -144,7 +146,7 @@ TEST(CertifiedObstruction, ClosesInWhereACornerLiesOnAnEdge) {
     const Polygon ceiling = rectangle(Vec3(-0.5, -0.5, 0.5) + by, {0, 1, 0}, {1, 0, 0});
     const std::vector<Polygon> two{rectangle(Vec3(-0.25, -0.25, 0) + by, {0.5, 0, 0}, {0, 0.25, 0}),
                                    rectangle(Vec3(-0.125, 0, 0) + by, {0.25, 0, 0}, {0, 0.25, 0})};
-    std::vector<Vec3> outline{{-0.25, -0.25, 0}, {0.25, -0.25, 0}, {0.25, 0, 0},   {0.125, 0, 0},
+    std::vector<Vec3> outline{{-0.25, -0.25, 0}, {0.25, -0.25, 0},  {0.25, 0, 0},   {0.125, 0, 0},
                               {0.125, 0.25, 0},  {-0.125, 0.25, 0}, {-0.125, 0, 0}, {-0.25, 0, 0}};
     for (Vec3& v : outline) v += by;
     const std::vector<Polygon> one{polygon(outline)};

@@ -150,7 +150,9 @@ TEST(LoopSides, TellLoopsApart) {
   const auto plate = [](double x, double height) {
     return std::vector<Vec3>{{x, 0.4, height}, {x + 0.1, 0.4, height}, {x + 0.1, 0.5, height}, {x, 0.5, height}};
   };
-  const SightZone zone{{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}}, {plate(0.1, 0.3), plate(0.8, 0.3), plate(0.45, 0.3), plate(0.45, 0.5)}, false};
+  const SightZone zone{{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}},
+                       {plate(0.1, 0.3), plate(0.8, 0.3), plate(0.45, 0.3), plate(0.45, 0.5)},
+                       false};
   LoopSides sides(kCeiling, zone);
   EXPECT_TRUE(holds(sides.apart(1, 2) && sides.apart(2, 1) && sides.apart(1, 3)));
   EXPECT_TRUE(holds(!sides.apart(3, 4) && !sides.apart(0, 3) && !sides.apart(4, 0)));
@@ -238,7 +240,8 @@ TEST(EventCurves, HaveChordsBetweenTwoCrossings) {
     EXPECT_TRUE(near(chord->length, 2 * std::sqrt(1 - kHeight * kHeight), kRounding));
     EXPECT_TRUE(near(chord->level / chord->normal.y(), kHeight, kRounding));
     const double square = 1 - kHeight * kHeight;
-    EXPECT_TRUE(near(chord->sag, square / (2 * kHeight) / (2 * std::sqrt(square)), kRounding * 100)) << "a difference quotient";
+    EXPECT_TRUE(near(chord->sag, square / (2 * kHeight) / (2 * std::sqrt(square)), kRounding * 100))
+        << "a difference quotient";
   }
   EXPECT_TRUE(holds(!chord_of(circle, cell(1, 1.25)) && !chord_of(circle, cell(1.125, 1.25)))) << "touched, missed";
   EXPECT_TRUE(holds(!chord_of(circle, cell(-1.5, 1.5)).has_value())) << "four crossings";

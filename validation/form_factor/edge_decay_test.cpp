@@ -124,7 +124,8 @@ std::pair<Segment, Segment> nearly_parallel(CounterRandom& random, bool cross_ea
   // A frame with roundings in every coordinate.
   const Point u{std::cos(turn) * std::cos(tilt), std::sin(turn) * std::cos(tilt), std::sin(tilt)};
   const Point v{-std::sin(turn), std::cos(turn), 0}, w = cross(u, v);
-  const double beside = random.between(-0.5, 0.5), at = beside < 0 ? beside : 1 + beside;  // where the lines are nearest
+  const double beside = random.between(-0.5, 0.5),
+               at = beside < 0 ? beside : 1 + beside;  // where the lines are nearest
   const double from = random.between(1.5, 3);
   const auto inner = [&](double x) { return x * u + (sine * (x - at)) * v + height * w; };
   const Point origin{random.unit(), random.unit(), random.unit()};

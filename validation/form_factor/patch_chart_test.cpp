@@ -73,7 +73,8 @@ TEST(PatchChart, SharesOutWhatIsFree) {
     const double whole = 0.5 * corners * std::sin(2 * kPi / corners);
     const auto charts = PatchChart::covering(regular(corners), above, 1);
     EXPECT_TRUE(near(area_of_charts(charts), whole, kSummed * whole));
-    EXPECT_TRUE(holds(charts.size() == (corners == 4 ? 1u : static_cast<std::size_t>(corners) - 2))) << "none of no area";
+    EXPECT_TRUE(holds(charts.size() == (corners == 4 ? 1u : static_cast<std::size_t>(corners) - 2)))
+        << "none of no area";
   }
   const Polygon square = tilted(rectangle({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}));
   const auto at = [](double x, double y) { return tilted(Vec3(x, y, 0)); };

@@ -77,8 +77,8 @@ TEST(PointView, AgreesWithTheViewOfOnePolygon) {
   int partly = 0, inexact = 0;
   for (int i = 0; i < 400; ++i) {
     const Vec3 a = place(0.4), b = place(0.4);
-    const Blocker triangle =
-        Blocker::plate(polygon({Vec3(-0.6, -0.4, 1) + 0.2 * a, Vec3(0.5, -0.3, 0.9) + 0.3 * b, Vec3(0.1, 0.6, 1.1) + 0.2 * a}));
+    const Blocker triangle = Blocker::plate(
+        polygon({Vec3(-0.6, -0.4, 1) + 0.2 * a, Vec3(0.5, -0.3, 0.9) + 0.3 * b, Vec3(0.1, 0.6, 1.1) + 0.2 * a}));
     const std::array<const Blocker*, 2> blockers{&triangle, &*solid};
     const Vec3 point = 0.3 * place(1), normal = (Vec3::UnitZ() + place(0.7)).normalized();
     inexact += normal.squaredNorm() != 1;

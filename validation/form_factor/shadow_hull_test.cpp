@@ -74,7 +74,8 @@ TEST(ShadowHulls, AreThoseOfAllPointsOfATriangle) {
 // TOLERANCE  half the width is between a half and 1.05 of the goal: the cell that is quartered last leaves no more than a tenth.
 TEST(HullPair, StopsAtItsGoal) {
   proves({"IU.6-4"}, Oracle::identity, "four goals from 0.1 to 0.01 for a flux of 0.07");
-  const Polygon floor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), ceiling = rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0});
+  const Polygon floor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                ceiling = rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0});
   const EnclosedPair pair = enclosed_pair(floor, ceiling);
   const ExactPlane from(scaled(floor.vertices(), pair.scale)), to(scaled(ceiling.vertices(), pair.scale));
   const HullPair hulls(pair, from, to);

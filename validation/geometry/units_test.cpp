@@ -70,7 +70,8 @@ Counts met_in_all_units(Random& random, const Shape& shape) {
       Ray longer = ray, larger = ray;
       longer.direction *= by;
       larger.origin *= by, larger.direction *= by;
-      const bool differs = !same(hit, intersect(longer, shape), 1, 1 / by) || !same(hit, intersect(larger, scaled(shape, by)), by, 1);
+      const bool differs =
+          !same(hit, intersect(longer, shape), 1, 1 / by) || !same(hit, intersect(larger, scaled(shape, by)), by, 1);
       counts.other += differs;
     }
   }
@@ -107,7 +108,8 @@ TEST(Intersections, KnowNoUnit) {
   BezierSurface surface;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
-      surface.control[i][j] = Vec3(0.5 * static_cast<double>(i) - 0.75, 0.5 * static_cast<double>(j) - 0.75, random.uniform(-0.4, 0.4));
+      surface.control[i][j] =
+          Vec3(0.5 * static_cast<double>(i) - 0.75, 0.5 * static_cast<double>(j) - 0.75, random.uniform(-0.4, 0.4));
     }
   }
   check(surface, "Bézier surface");

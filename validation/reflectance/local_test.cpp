@@ -94,7 +94,8 @@ TEST(LocalReflection, IsTheSameFromScalarProducts) {
     }
     const Rgb expected = local_reflection(surface, n, v, Rgb(0.2, 0.3, 0.4), lights);
     const double tolerance = 3 * 4 * (2 * phong_error(surface.exponent) + 14 * u * surface.exponent + 8 * u);
-    EXPECT_TRUE(within(difference(reflection_of_cosines(surface, Rgb(0.2, 0.3, 0.4), cosines, intensities), expected), tolerance));
+    EXPECT_TRUE(within(difference(reflection_of_cosines(surface, Rgb(0.2, 0.3, 0.4), cosines, intensities), expected),
+                       tolerance));
   }
 }
 

@@ -81,7 +81,8 @@ CertifiedDecay certified_bent_decay(const EnclosedEdges& e, const EnclosedPiece&
   // by at most `moved`, ∫ ln r by 2π times that at every node and in the integral (NOTES.md §10).
   const Interval moved = parallel ? sine * e.inner_length : Interval();
   const Interval ends =
-      min(norm(e.start - piece.from) + norm(e.start - piece.to), norm(e.end - piece.from) + norm(e.end - piece.to)) - Interval(2) * moved;
+      min(norm(e.start - piece.from) + norm(e.start - piece.to), norm(e.end - piece.from) + norm(e.end - piece.to)) -
+      Interval(2) * moved;
   double rho = certain_ellipse(ends / length);
   if (!(rho > 1)) return {};
   Interval slope, extra;
