@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "form_factor/edge_pairs.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
@@ -19,30 +20,6 @@ constexpr int kPairs = 400;
 
 using Point = Triple<double>;
 using Segment = Edge<double>;
-
-Point between(const Segment& e, double share) {
-  return e.start + share * (e.end - e.start);
-}
-
-/// Two edges in a cube, every other pair brought close to each other or nearly parallel.
-class EdgePairs {
- public:
-  std::pair<Segment, Segment> next() {
-    const Point a = point(1), b = point(1);
-    Point c = point(1), d = point(1);
-    if (++count_ % 2 == 0) c = between(make_edge(a, b), 0.5) + point(0.1);
-    if (count_ % 5 == 0) d = c + (b - a) + point(0.2);
-    return {make_edge(a, b), make_edge(c, d)};
-  }
-
- private:
-  Point point(double size) {
-    const double x = random_.between(-size, size), y = random_.between(-size, size), z = random_.between(-size, size);
-    return {x, y, z};
-  }
-  CounterRandom random_{kSeed};
-  int count_ = 0;
-};
 
 /// Semi-major axis plus semi-minor axis of the ellipse whose foci are ±1, from the former.
 double joukowski(double semi_axis) {
@@ -97,7 +74,7 @@ std::vector<double> coefficients(const Segment& outer, const Segment& inner, int
 TEST(EdgeDecay, BoundsTheCoefficients) {
   proves({}, Oracle::program, "Chebyshev coefficients of the inner integral");
   uses_seed(kSeed);
-  EdgePairs pairs;
+  EdgePairs pairs(kSeed);
   constexpr double kRounding = 1e-13;
   double worst = 0;
   int judged = 0;
@@ -133,24 +110,16 @@ std::pair<Segment, Segment> nearly_parallel(CounterRandom& random, bool cross_ea
 }
 
 using WidePoint = Triple<long double>;
+WidePoint wide(const Point& p) {
+  return {p.x, p.y, p.z};
+}
 
-/// The same place from the corners as they are, to 64 bits and more than a thousandth of its distance from them.
+/// The same place from the corners as they are, in 64-bit significands.
 std::complex<long double> wide_branch(const Segment& outer, const Segment& inner) {
-  const auto difference = [](const Point& a, const Point& b) {
-    return WidePoint{static_cast<long double>(b.x) - a.x, static_cast<long double>(b.y) - a.y,
-                     static_cast<long double>(b.z) - a.z};
-  };
-  const auto wide_dot = [](const WidePoint& a, const WidePoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
-  const auto wide_cross = [](const WidePoint& a, const WidePoint& b) {
-    return WidePoint{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  };
-  const WidePoint along = difference(outer.start, outer.end), other = difference(inner.start, inner.end);
-  const WidePoint gap = difference(outer.start, inner.start), normal = wide_cross(along, other);
-  const long double square = wide_dot(normal, normal);
-  const long double length = std::sqrt(wide_dot(along, along)), other_length = std::sqrt(wide_dot(other, other));
-  const long double real = wide_dot(wide_cross(gap, other), normal) / square * length;
-  const long double imaginary = std::abs(wide_dot(gap, normal)) / square * length * other_length;
-  return {real, imaginary};
+  const WidePoint along = wide(outer.end) - wide(outer.start), other = wide(inner.end) - wide(inner.start);
+  const WidePoint gap = wide(inner.start) - wide(outer.start), normal = cross(along, other);
+  const long double share = norm(along) / dot(normal, normal);
+  return {share * dot(cross(gap, other), normal), share * norm(other) * std::abs(dot(gap, normal))};
 }
 
 // CLAIM      where lines are nearly parallel the doubt about their crossing counts: never is the ellipse larger than 0.7 of the way to
@@ -184,7 +153,7 @@ TEST(EdgeDecay, CountsWhatIsNotKnownOfTheCrossing) {
 TEST(EdgeDecay, WeighsThePath) {
   proves({}, Oracle::program, "the weight of the path from a complex root");
   uses_seed(kSeed);
-  EdgePairs pairs;
+  EdgePairs pairs(kSeed);
   double worst = 0;
   int judged = 0;
   for (int pair = 0; pair < kPairs; ++pair) {
@@ -211,7 +180,7 @@ TEST(EdgeDecay, WeighsThePath) {
 TEST(EdgeDecay, IsThatOfTheNearestSingularity) {
   proves({}, Oracle::program, "nearest singularities by search and by complex roots");
   uses_seed(kSeed);
-  EdgePairs pairs;
+  EdgePairs pairs(kSeed);
   double plain_off = 0, above_all = 0, below_share = 0;
   for (int pair = 0; pair < kPairs; ++pair) {
     const auto [outer, inner] = pairs.next();

@@ -7,20 +7,12 @@
 #include <vector>
 
 #include "etendue/form_factor/blocker.hpp"
+#include "form_factor/shapes.hpp"
 #include "support/counter_random.hpp"
 #include "support/evidence.hpp"
 
 namespace etendue::validation {
 namespace {
-
-double signed_area(const std::vector<Vec3>& loop) {
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec3 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
-  }
-  return sum;
-}
 
 // CLAIM      a loop is clipped to what has no negative height: corners that are kept, crossings, none twice; what only touches
 //            leaves nothing.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "etendue/form_factor/certified_outline.hpp"
@@ -13,17 +15,9 @@
 namespace etendue::validation {
 namespace {
 
-/// Twice the area of a piece in a plane across z.
 double area_of(const std::vector<ReceiverPiece>& pieces) {
   double sum = 0;
-  for (const ReceiverPiece& piece : pieces) {
-    double doubled = 0;
-    for (std::size_t i = 0; i < piece.size(); ++i) {
-      const Vec3 &p = piece[i], &q = piece[(i + 1) % piece.size()];
-      doubled += p.x() * q.y() - q.x() * p.y();
-    }
-    sum += 0.5 * std::abs(doubled);
-  }
+  for (const ReceiverPiece& piece : pieces) sum += std::abs(signed_area(piece));
   return sum;
 }
 
@@ -35,7 +29,7 @@ std::vector<Vec3> square(double half, double height) {
 //            what all of them share, and what they cover together, in any unit of length, whichever side of the square is seen.
 // ORACLE     closed form: for a right triangle of sides h the common part of squares of side s is (s − h)²; together they cover the
 //            Minkowski sum, s² + 2 s h + h²/2.
-// TOLERANCE  1e-9 of s²: blockers are drawn in by 2^-40 of the reach; the common part is no larger, the covered one no smaller but for
+// TOLERANCE  1e-9 of s²: blockers are drawn in by 2^-40 of the reach. The common part is no larger, the covered one no smaller, but for
 //            the slivers that are counted.
 TEST(ShadowHulls, AreThoseOfAllPointsOfATriangle) {
   proves({"IU.6-4"}, Oracle::closed_form, "Minkowski sum and erosion of a square by a triangle");
@@ -59,7 +53,8 @@ TEST(ShadowHulls, AreThoseOfAllPointsOfATriangle) {
         constexpr double kLost = 1e-9 * kSide * kSide;
         EXPECT_TRUE(near(dark, common, kLost)) << unit << turned << up;
         EXPECT_TRUE(near(shaded, covered, kLost)) << unit << turned << up;
-        EXPECT_TRUE(holds(shaded >= covered - hulls.slivers() / (unit * unit)));
+        const double slivers = hulls.slivers() / (unit * unit);
+        EXPECT_TRUE(holds(shaded >= covered - slivers && dark <= common + slivers)) << unit << turned << up;
         ReceiverPiece aside = square(0.1 * unit, unit * up);
         for (Vec3& v : aside) v.x() += 2 * unit;
         ShadowHulls other(cell, blockers, 4 * unit);
@@ -71,7 +66,7 @@ TEST(ShadowHulls, AreThoseOfAllPointsOfATriangle) {
 
 // CLAIM      IU.6-4: by shadow hulls a flux closes in as far as is asked, and no further; enclosures to several goals hold one number.
 // ORACLE     identity: work and width of enclosures of one pair to several goals.
-// TOLERANCE  half the width is between a half and 1.05 of the goal: the cell that is quartered last leaves no more than a tenth.
+// TOLERANCE  half the width is no more than the goal, and no less than half of it: the cell that is quartered last takes no more.
 TEST(HullPair, StopsAtItsGoal) {
   proves({"IU.6-4"}, Oracle::identity, "four goals from 0.1 to 0.01 for a flux of 0.07");
   const Polygon floor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
@@ -85,7 +80,7 @@ TEST(HullPair, StopsAtItsGoal) {
   Interval common(0, 1);
   for (const double goal : {0.1, 0.05, 0.02, 0.01}) {
     const HiddenFlux found = hulls.hidden_flux(plate, goal, 1'000'000);
-    EXPECT_TRUE(holds(0.5 * found.flux.width() <= 1.05 * goal && 0.5 * found.flux.width() >= 0.5 * goal)) << goal;
+    EXPECT_TRUE(holds(0.5 * found.flux.width() <= goal && found.flux.width() >= goal)) << goal;
     EXPECT_TRUE(holds(found.work > before)) << found.work;
     common = {std::max(common.lower, found.flux.lower), std::min(common.upper, found.flux.upper)};
     before = found.work;

@@ -31,6 +31,16 @@ inline std::vector<Polygon> block(const std::array<Vec3, 8>& v) {
   return faces;
 }
 
+/// Of a loop in a plane across z; negative where it runs clockwise as seen from above.
+inline double signed_area(const std::vector<Vec3>& loop) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vec3 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+    sum += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  return sum;
+}
+
 /// A rotation about no axis of the coordinates, and a shift: frames that hide nothing by being aligned.
 inline Vec3 tilted(const Vec3& p) {
   static const Mat3 rotation =

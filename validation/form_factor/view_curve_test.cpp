@@ -2,7 +2,6 @@
 #include "etendue/form_factor/view_curve.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "etendue/form_factor/view_form.hpp"
@@ -27,11 +26,11 @@ TEST(ViewCurve, HasNoShareThroughTheEye) {
 }
 
 // CLAIM      IU.6-4: two edges keep crossing on the same side, as seen, while the direction to their crossing turns by less than a
-//            quarter: until the eye has passed the plane through one of them along the other.
+//            quarter.
 // ORACLE     closed form: for edges along x at height 1, and along y = z − 3 at x = 1/2, the direction from (0, y, 0) is
 //            ((y + 1)/2, −y (3 + y), 3 + y). With that from y = −2 its product is −2y² − 5.25 y + 2.75: positive from −3.0725 to 0.4475.
 // TOLERANCE  none: numbers of few bits.
-TEST(ViewForm, KeepsSidesUpToThePlaneAlongTheOtherEdge) {
+TEST(ViewForm, KeepsSidesForLessThanAQuarterTurn) {
   proves({"IU.6-4"}, Oracle::closed_form, "two skew edges, whose directions are parabolas");
   const std::vector<ViewEdge> edges{{{0, 0, 1}, {1, 0, 0}}, {{0.5, -1, 2}, {0, 1, 1}}};
   const ViewForm form{{0, 1, false}};

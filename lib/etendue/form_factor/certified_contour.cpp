@@ -84,7 +84,7 @@ class EdgeIntegral {
   CertifiedDecay decay_along(const EnclosedPiece& piece) const {
     const CertifiedDecay plain = certified_plain_decay(e_, piece);
     if (plain.rho >= kNarrowEllipse) return plain;
-    const CertifiedDecay bent = certified_bent_decay(e_, piece);
+    const CertifiedDecay bent = certified_bent_decay(e_, piece, plain.rho);
     return bent.rho > plain.rho ? bent : plain;
   }
 

@@ -71,7 +71,7 @@ CertifiedDecay certified_plain_decay(const EnclosedEdges& e, const EnclosedPiece
   return {certain_ellipse(least / piece.length), 1, 0};
 }
 
-CertifiedDecay certified_bent_decay(const EnclosedEdges& e, const EnclosedPiece& piece) {
+CertifiedDecay certified_bent_decay(const EnclosedEdges& e, const EnclosedPiece& piece, double above) {
   const Interval& length = piece.length;
   const Interval3 normal = cross(e.outer, e.inner);
   const Interval sine = norm(normal) / (e.outer_length * e.inner_length);
@@ -84,7 +84,7 @@ CertifiedDecay certified_bent_decay(const EnclosedEdges& e, const EnclosedPiece&
       min(norm(e.start - piece.from) + norm(e.start - piece.to), norm(e.end - piece.from) + norm(e.end - piece.to)) -
       Interval(2) * moved;
   double rho = certain_ellipse(ends / length);
-  if (!(rho > 1)) return {};
+  if (!(rho > above)) return {};
   Interval slope, extra;
   if (parallel) {
     constexpr double kAlmostOne = 1 + 0x1p-40;  // the moved edge is shorter by the cosine of that angle
@@ -100,7 +100,7 @@ CertifiedDecay certified_bent_decay(const EnclosedEdges& e, const EnclosedPiece&
         (sqrt(square(foot - half) + square(height)) + sqrt(square(foot + half) + square(height))) / length;
     const double branch = certain_ellipse(branch_axis);
     rho = std::min(rho, 1 + kBranchClearance * (branch - 1));
-    if (!(rho > 1)) return {};
+    if (!(rho > above)) return {};
     const Interval clearance =
         Interval(0.5) * half * (Interval(branch) - rho) * (Interval(1) - Interval(1) / (Interval(branch) * rho));
     if (!(clearance.lower > 0)) return {};

@@ -38,10 +38,12 @@ struct CertifiedDecay {
 /// With the path of integration bent around the ellipse: only the inner edge's ends and the crossing of the two lines
 /// count. Lines that are parallel but for rounding are made parallel, which `extra` counts.
 ///
+/// Symbols   above: no ellipse is of use that is not larger than this; at least 1
 /// Domain    inner_length.lower > 0
-/// Returns   ρ = 1 where nothing can be shown
+/// Returns   ρ = 1 where no larger one can be shown
 /// Accuracy  inclusion proved: NOTES.md §2, §10
-[[nodiscard]] CertifiedDecay certified_bent_decay(const EnclosedEdges& edges, const EnclosedPiece& piece);
+[[nodiscard]] CertifiedDecay certified_bent_decay(const EnclosedEdges& edges, const EnclosedPiece& piece,
+                                                  double above = 1);
 
 /// Lower bound on the parameter of the Bernstein ellipse with that semi-axis.
 [[nodiscard]] double certain_ellipse(const Interval& semi_axis);
